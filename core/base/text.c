@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/text.h"
+
+#include "base/number.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+void duct_text_init(duct_text *text, const duct_allocator *allocator)
+{
+    memset(text, 0, sizeof *text);
+    text->allocator = allocator;
+}
+
+void duct_text_free(duct_text *text)
+{
+    duct_release(text->allocator, text->data);
+    duct_text_init(text, text->allocator);
+}
+
+static bool reserve(duct_text *text, size_t more)
+{
+    if (text->failed) {
+        return false;
+    }
+    void *data = text->data;
+    if (more > SIZE_MAX / 4 ||
+        !duct_reserve(text->allocator, &data, &text->capacity, text->size + more + 1, 1)) {
+        text->failed = true;
+        return false;
+    }
+    text->data = data;
+    return true;
+}
+
+void duct_text_add_bytes(duct_text *text, const void *bytes, size_t size)
+{
+    if (reserve(text, size)) {
+        memcpy(text->data + text->size, bytes, size);
+        text->size += size;
+        text->data[text->size] = '\0';
+    }
+}
+
+void duct_text_add(duct_text *text, const char *string)
+{
+    duct_text_add_bytes(text, string, strlen(string));
+}
+
+void duct_text_addf(duct_text *text, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    int length = vsnprintf(NULL, 0, format, arguments);
+    va_end(arguments);
+    if (length < 0) {
+        text->failed = true;
+    }
+    if (length < 0 || !reserve(text, (size_t)length)) {
+        return;
+    }
+    va_start(arguments, format);
+    vsnprintf(text->data + text->size, (size_t)length + 1, format, arguments);
+    va_end(arguments);
+    text->size += (size_t)length;
+}
+
+void duct_text_add_number(duct_text *text, double number, int digits)
+{
+    char buffer[DUCT_NUMBER_SIZE];
+    duct_number_print(buffer, number, digits);
+    duct_text_add(text, buffer);
+}
+
+void duct_text_add_fixed(duct_text *text, double number, int decimals)
+{
+    char buffer[DUCT_NUMBER_SIZE];
+    duct_number_print_fixed(buffer, number, decimals);
+    duct_text_add(text, buffer);
+}
+
+void duct_text_add_xml(duct_text *text, const char *string)
+{
+    for (const char *s = string; *s != '\0'; s++) {
+        switch (*s) {
+        case '&':
+            duct_text_add(text, "&amp;");
+            break;
+        case '<':
+            duct_text_add(text, "&lt;");
+            break;
+        case '>':
+            duct_text_add(text, "&gt;");
+            break;
+        case '"':
+            duct_text_add(text, "&quot;");
+            break;
+        case '\'':
+            duct_text_add(text, "&apos;");
+            break;
+        default:
+            if ((unsigned char)*s >= 0x20 || *s == '\t' || *s == '\n') {
+                duct_text_add_bytes(text, s, 1);
+            }
+        }
+    }
+}
+
+void duct_text_add_json(duct_text *text, const char *string)
+{
+    duct_text_add(text, "\"");
+    for (const char *s = string; *s != '\0'; s++) {
+        if (*s == '"' || *s == '\\') {
+            duct_text_add(text, "\\");
+            duct_text_add_bytes(text, s, 1);
+        } else if ((unsigned char)*s < 0x20) {
+            duct_text_addf(text, "\\u%04x", (unsigned)*s);
+        } else {
+            duct_text_add_bytes(text, s, 1);
+        }
+    }
+    duct_text_add(text, "\"");
+}
+
+char *duct_text_take(duct_text *text, size_t *size)
+{
+    duct_text_add_bytes(text, "", 0);
+    if (text->failed) {
+        duct_text_free(text);
+        return NULL;
+    }
+    char *data = text->data;
+    if (size != NULL) {
+        *size = text->size;
+    }
+    duct_text_init(text, text->allocator);
+    return data;
+}
