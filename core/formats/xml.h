@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef DUCTUS_FORMATS_XML_H
+#define DUCTUS_FORMATS_XML_H
+
+#include <ductus/status.h>
+
+#include <libxml/tree.h>
+#include <stddef.h>
+
+/* Parses an XML document with network, external entities and external DTDs off, entity expansion bounded, and depth
+ * limited to DUCT_MAX_GROUP_DEPTH, so that hostile files (billion laughs, deep nesting) end in a sentence with a
+ * line number. White space and comments are kept. The caller frees the document with xmlFreeDoc().
+ * Safe to call from several threads. Errors: DUCT_BAD_FORMAT, DUCT_LIMIT, DUCT_NO_MEMORY. */
+duct_status duct_xml_parse(const char *data, size_t size, xmlDoc **document, duct_error *error);
+
+#endif
