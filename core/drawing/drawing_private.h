@@ -30,6 +30,11 @@ void duct_stroke_set_part(duct_stroke *stroke, long part);
 bool duct_stroke_changed(const duct_stroke *stroke);
 void duct_stroke_set_changed(duct_stroke *stroke, bool changed);
 
+/* Gives a stroke new samples all at once: copies of `values` by channel, NULL for channels that become absent
+ * (never X and Y). Errors: DUCT_NO_MEMORY (the stroke is as it was). */
+duct_status duct_stroke_replace(duct_stroke *stroke, size_t size, double *const values[DUCT_CHANNEL_COUNT],
+                                duct_error *error);
+
 const duct_allocator *duct_drawing_allocator(const duct_drawing *drawing);
 
 #endif

@@ -157,6 +157,32 @@ duct_status duct_stroke_resize(duct_stroke *stroke, size_t size, duct_error *err
     return DUCT_OK;
 }
 
+duct_status duct_stroke_replace(duct_stroke *stroke, size_t size, double *const values[DUCT_CHANNEL_COUNT],
+                                duct_error *error)
+{
+    double *copies[DUCT_CHANNEL_COUNT] = {NULL};
+    for (int c = 0; c < DUCT_CHANNEL_COUNT; c++) {
+        if (values[c] == NULL) {
+            continue;
+        }
+        copies[c] = duct_alloc(&stroke->allocator, size, sizeof(double));
+        if (copies[c] == NULL) {
+            for (int made = 0; made < c; made++) {
+                duct_release(&stroke->allocator, copies[made]);
+            }
+            return duct_fail_memory(error);
+        }
+        memcpy(copies[c], values[c], size * sizeof(double));
+    }
+    for (int c = 0; c < DUCT_CHANNEL_COUNT; c++) {
+        duct_release(&stroke->allocator, stroke->channels[c]);
+        stroke->channels[c] = copies[c];
+    }
+    stroke->size = size;
+    stroke->changed = true;
+    return DUCT_OK;
+}
+
 static duct_status replace_text(duct_stroke *stroke, char **field, const char *text, duct_error *error)
 {
     char *copy = duct_strdup(&stroke->allocator, text != NULL ? text : "");

@@ -51,6 +51,7 @@ DUCT_API const char *duct_library_artist(const duct_library *library);  /* "" wh
 DUCT_API const char *duct_library_licence(const duct_library *library); /* "" where unknown */
 DUCT_API size_t duct_library_stroke_count(const duct_library *library);
 DUCT_API size_t duct_library_sample_count(const duct_library *library);
+DUCT_API size_t duct_library_stroke_samples(const duct_library *library, size_t stroke); /* of one stroke */
 DUCT_API double duct_library_unit(const duct_library *library); /* recording pixels a sampling unit */
 DUCT_API bool duct_library_has(const duct_library *library, duct_channel channel);
 

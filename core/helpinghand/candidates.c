@@ -1,0 +1,187 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "helpinghand/candidates.h"
+
+#include "base/error.h"
+#include "library/library_private.h"
+
+#include <ductus/random.h>
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { PURPOSE_VARIATION = 1 };
+
+/* A column may grow by coherence to this many times k; then its farthest candidates beyond the k nearest go.
+ */
+enum { MOST_TIMES_K = 8 };
+
+typedef struct {
+    const duct_allocator *allocator;
+    const duct_library *library;
+    const duct_feature_index *index;
+    const duct_candidate_options *options;
+    size_t item_capacity;
+    uint32_t *near;
+    float *distances;
+    uint32_t *hints;
+    duct_candidate *nearest; /* room for k */
+    duct_candidate *merged;  /* room for 1 + MOST_TIMES_K times k */
+} finder;
+
+static int by_sample(const void *a, const void *b)
+{
+    uint32_t x = ((const duct_candidate *)a)->sample, y = ((const duct_candidate *)b)->sample;
+    return (x > y) - (x < y);
+}
+
+static int by_distance(const void *a, const void *b)
+{
+    float x = ((const duct_candidate *)a)->distance, y = ((const duct_candidate *)b)->distance;
+    return x < y ? -1 : x > y ? 1 : by_sample(a, b);
+}
+
+/* Adds to the `near` nearest candidates, which ascend, the successors of the column before, in ascending
+ * order; `merged` gets both. Returns how many there are. */
+static size_t add_successors(const finder *self, const float *query, const duct_columns *columns,
+                             size_t column, const duct_candidate *nearest, size_t near,
+                             duct_candidate *merged)
+{
+    const duct_candidate *before = columns->items + columns->starts[column - 1];
+    size_t before_count = columns->starts[column] - columns->starts[column - 1], at = 0, count = 0;
+    size_t dimensions = self->index->dimensions;
+    for (size_t b = 0; b < before_count; b++) {
+        uint32_t next = before[b].sample + 1;
+        if (next >= self->library->starts[before[b].stroke + 1]) {
+            continue;
+        }
+        while (at < near && nearest[at].sample < next) {
+            merged[count++] = nearest[at++];
+        }
+        if (at < near && nearest[at].sample == next) {
+            continue;
+        }
+        float distance =
+            duct_feature_distance(query, self->index->rows + (size_t)next * dimensions, dimensions);
+        merged[count++] = (duct_candidate){next, before[b].stroke, distance};
+    }
+    while (at < near) {
+        merged[count++] = nearest[at++];
+    }
+    return count;
+}
+
+/* Leaves out the farthest beyond the most that a column may have. The k nearest always stay. */
+static size_t limit_width(const finder *self, duct_candidate *merged, size_t count)
+{
+    size_t most = MOST_TIMES_K * self->options->neighbours;
+    if (count > most) {
+        qsort(merged, count, sizeof *merged, by_distance);
+        count = most;
+        qsort(merged, count, sizeof *merged, by_sample);
+    }
+    return count;
+}
+
+static void vary(const finder *self, duct_candidate *candidates, size_t count)
+{
+    for (size_t i = 0; self->options->variation > 0 && i < count; i++) {
+        candidates[i].distance += (float)(self->options->variation *
+                                          duct_random_uniform(self->options->seed, self->options->stroke_id,
+                                                              candidates[i].stroke, PURPOSE_VARIATION));
+    }
+}
+
+static duct_status append(finder *self, duct_columns *columns, size_t column,
+                          const duct_candidate *candidates, size_t count, duct_error *error)
+{
+    size_t start = columns->starts[column];
+    void *items = columns->items;
+    if (!duct_reserve(self->allocator, &items, &self->item_capacity, start + count, sizeof *columns->items)) {
+        return duct_fail_memory(error);
+    }
+    columns->items = items;
+    memcpy(columns->items + start, candidates, count * sizeof *candidates);
+    columns->starts[column + 1] = start + count;
+    return DUCT_OK;
+}
+
+static duct_status fill(finder *self, const float *rows, duct_columns *columns, duct_error *error)
+{
+    size_t hint_count = 0, dimensions = self->index->dimensions;
+    for (size_t i = 0; i < columns->count; i++) {
+        const float *query = rows + i * dimensions;
+        size_t found = duct_search_nearest(self->index->search, query, self->options->neighbours, self->hints,
+                                           hint_count, self->near, self->distances);
+        if (found == 0) {
+            return duct_fail(error, DUCT_UNSUPPORTED, "the search found no neighbours; use the exact search");
+        }
+        /* The next sample's neighbours are likely those that follow this one's. */
+        hint_count = 0;
+        for (size_t n = 0; n < found; n++) {
+            uint32_t stroke = duct_library_stroke_of(self->library, self->near[n]);
+            self->nearest[n] = (duct_candidate){self->near[n], stroke, self->distances[n]};
+            self->hints[hint_count++] = self->near[n];
+            self->hints[hint_count++] = self->near[n] + 1;
+        }
+        qsort(self->nearest, found, sizeof *self->nearest, by_sample);
+        const duct_candidate *all = self->nearest;
+        size_t count = found;
+        if (self->options->coherent && i > 0) {
+            count = add_successors(self, query, columns, i, self->nearest, found, self->merged);
+            count = limit_width(self, self->merged, count);
+            all = self->merged;
+        }
+        duct_status status = append(self, columns, i, all, count, error);
+        if (status != DUCT_OK) {
+            return status;
+        }
+    }
+    /* Only now: coherence compares true distances. */
+    vary(self, columns->items, columns->starts[columns->count]);
+    return DUCT_OK;
+}
+
+duct_status duct_candidates_find(const duct_allocator *allocator, const duct_library *library,
+                                 const duct_feature_index *index, const duct_candidate_options *options,
+                                 const double *x, const double *y, size_t count, duct_columns *columns,
+                                 duct_error *error)
+{
+    memset(columns, 0, sizeof *columns);
+    columns->count = count;
+    size_t k = options->neighbours;
+    finder self = {.allocator = allocator, .library = library, .index = index, .options = options};
+    float *rows = duct_alloc(allocator, count * index->dimensions, sizeof *rows);
+    columns->starts = duct_alloc(allocator, count + 1, sizeof *columns->starts);
+    self.near = duct_alloc(allocator, k, sizeof *self.near);
+    self.distances = duct_alloc(allocator, k, sizeof *self.distances);
+    self.hints = duct_alloc(allocator, 2 * k, sizeof *self.hints);
+    self.nearest = duct_alloc(allocator, k, sizeof *self.nearest);
+    self.merged = duct_alloc(allocator, (MOST_TIMES_K + 1) * k, sizeof *self.merged);
+    duct_status status;
+    if (rows == NULL || columns->starts == NULL || self.near == NULL || self.distances == NULL ||
+        self.hints == NULL || self.merged == NULL) {
+        status = duct_fail_memory(error);
+    } else {
+        status = duct_features_compute(allocator, &options->features, x, y, count, rows, error);
+    }
+    if (status == DUCT_OK) {
+        status = fill(&self, rows, columns, error);
+    }
+    duct_release(allocator, rows);
+    duct_release(allocator, self.near);
+    duct_release(allocator, self.distances);
+    duct_release(allocator, self.hints);
+    duct_release(allocator, self.nearest);
+    duct_release(allocator, self.merged);
+    if (status != DUCT_OK) {
+        duct_columns_free(allocator, columns);
+    }
+    return status;
+}
+
+void duct_columns_free(const duct_allocator *allocator, duct_columns *columns)
+{
+    duct_release(allocator, columns->starts);
+    duct_release(allocator, columns->items);
+    memset(columns, 0, sizeof *columns);
+}

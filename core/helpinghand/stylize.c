@@ -1,0 +1,161 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One stroke from end to end: sampled to the library's unit, passes, and the result back in the stroke's own
+ * samples. */
+#include "helpinghand/helpinghand.h"
+
+#include "base/error.h"
+#include "geometry/resample.h"
+#include "helpinghand/pass.h"
+#include "helpinghand/result.h"
+
+#include <math.h>
+#include <string.h>
+
+static void positions_of(const duct_helpinghand *hand, const duct_samples *query, duct_result *result)
+{
+    for (size_t i = 0; i < query->count; i++) {
+        result->x[i] = query->channels[DUCT_X][i] / hand->unit;
+        result->y[i] = query->channels[DUCT_Y][i] / hand->unit;
+    }
+}
+
+/* Replaces the positions by those that the gestures' velocities make. */
+static duct_status shape(const duct_helpinghand *hand, const duct_samples *query, bool closed,
+                         duct_gesture *gestures, duct_result *result, duct_error *error)
+{
+    size_t count = query->count;
+    double *made = duct_alloc(&hand->allocator, 2 * count, sizeof *made);
+    if (made == NULL) {
+        return duct_fail_memory(error);
+    }
+    /* The query's steps are not exactly a unit, so that a whole number of them fits its length. */
+    double step = query->step / hand->unit;
+    for (size_t i = 0; i < count; i++) {
+        gestures[i].vx *= step;
+        gestures[i].vy *= step;
+    }
+    duct_status status = duct_shape_solve(&hand->allocator, &hand->options.shape, result->x, result->y,
+                                          gestures, count, closed, made, made + count, error);
+    if (status == DUCT_OK) {
+        memcpy(result->x, made, count * sizeof *made);
+        memcpy(result->y, made + count, count * sizeof *made);
+    }
+    duct_release(&hand->allocator, made);
+    return status;
+}
+
+/* Pose for the new trajectory: it is sampled uniformly again, and the gestures are read off at its samples'
+ * arc lengths. */
+static duct_status second_pass(const duct_helpinghand *hand, const char *id, size_t count,
+                               duct_result *result, duct_json *trace, duct_error *error)
+{
+    const duct_allocator *allocator = &hand->allocator;
+    double *at = duct_alloc(allocator, count, sizeof *at);
+    if (at == NULL) {
+        return duct_fail_memory(error);
+    }
+    double length = duct_arc_lengths(result->x, result->y, count, at);
+    if (!(length > 0) || !(length < DUCT_MAX_SAMPLES)) {
+        duct_release(allocator, at);
+        return duct_pass_run(hand, false, id, result->x, result->y, count, result->gestures, trace, error);
+    }
+    size_t steps = (size_t)floor(length + 0.5);
+    size_t fresh = (steps < 1 ? 1 : steps) + 1;
+    double *x = duct_alloc(allocator, 2 * fresh, sizeof *x), *y = x != NULL ? x + fresh : NULL;
+    duct_gesture *gestures = duct_alloc(allocator, fresh, sizeof *gestures);
+    duct_status status = DUCT_OK;
+    if (x == NULL || gestures == NULL) {
+        status = duct_fail_memory(error);
+    } else {
+        size_t hint_x = 0, hint_y = 0;
+        for (size_t i = 0; i < fresh; i++) {
+            double where = length * (double)i / (double)(fresh - 1);
+            x[i] = duct_interpolate(at, result->x, count, where, &hint_x);
+            y[i] = duct_interpolate(at, result->y, count, where, &hint_y);
+        }
+        status = duct_pass_run(hand, false, id, x, y, fresh, gestures, trace, error);
+    }
+    for (size_t i = 0; status == DUCT_OK && i < count; i++) {
+        double place = at[i] / length * (double)(fresh - 1);
+        size_t k = (size_t)place;
+        k = k + 1 < fresh ? k : fresh - 2;
+        result->gestures[i] = duct_gesture_between(&gestures[k], &gestures[k + 1], place - (double)k);
+    }
+    duct_release(allocator, at);
+    duct_release(allocator, x);
+    duct_release(allocator, gestures);
+    return status;
+}
+
+static duct_status run_passes(const duct_helpinghand *hand, const duct_stroke *stroke,
+                              const duct_samples *query, duct_result *result, duct_json *trace,
+                              duct_error *error)
+{
+    duct_stylization mode = hand->options.mode;
+    const char *id = duct_stroke_id(stroke);
+    size_t count = query->count;
+    positions_of(hand, query, result);
+    bool direction = mode == DUCT_STYLIZE_TRAJECTORY || mode == DUCT_STYLIZE_TWO_PASS;
+    duct_status status =
+        duct_pass_run(hand, direction, id, result->x, result->y, count, result->gestures, trace, error);
+    if (status == DUCT_OK && mode != DUCT_STYLIZE_POSE) {
+        status = shape(hand, query, duct_stroke_closed(stroke), result->gestures, result, error);
+    }
+    if (status == DUCT_OK && mode == DUCT_STYLIZE_TWO_PASS) {
+        status = second_pass(hand, id, count, result, trace, error);
+    }
+    return status;
+}
+
+static duct_status stylize_line(const duct_helpinghand *hand, duct_stroke *stroke, const duct_samples *query,
+                                duct_json *trace, duct_error *error)
+{
+    duct_result result = {.count = query->count};
+    result.x = duct_alloc(&hand->allocator, 2 * query->count, sizeof *result.x);
+    result.gestures = duct_alloc(&hand->allocator, query->count, sizeof *result.gestures);
+    duct_status status;
+    if (result.x == NULL || result.gestures == NULL) {
+        status = duct_fail_memory(error);
+    } else {
+        result.y = result.x + query->count;
+        status = run_passes(hand, stroke, query, &result, trace, error);
+    }
+    if (status == DUCT_OK) {
+        status = duct_result_apply(hand, &result, stroke, error);
+    }
+    duct_release(&hand->allocator, result.x);
+    duct_release(&hand->allocator, result.gestures);
+    return status;
+}
+
+duct_status duct_helpinghand_stylize(const duct_helpinghand *hand, duct_stroke *stroke, duct_text *trace,
+                                     duct_error *error)
+{
+    duct_json json;
+    if (trace != NULL) {
+        duct_json_init(&json, trace);
+        duct_json_object(&json, NULL);
+        duct_json_string(&json, "id", duct_stroke_id(stroke));
+        duct_json_array(&json, "passes");
+    }
+    duct_status status = DUCT_OK;
+    if (hand->options.amount > 0 && duct_stroke_size(stroke) > 0) {
+        duct_samples query;
+        status = duct_samples_make(&hand->allocator, stroke, hand->unit, &query, error);
+        if (status == DUCT_OK && query.count == 0) {
+            status = duct_result_apply_dot(hand, stroke, error);
+        } else if (status == DUCT_OK) {
+            status = stylize_line(hand, stroke, &query, trace != NULL ? &json : NULL, error);
+        }
+        if (status != DUCT_OK) {
+            duct_samples_free(&hand->allocator, &query);
+            return status;
+        }
+        duct_samples_free(&hand->allocator, &query);
+    }
+    if (trace != NULL) {
+        duct_json_close(&json, ']');
+        duct_json_close(&json, '}');
+    }
+    return status;
+}

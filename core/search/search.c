@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "search/search_private.h"
+
+#include "base/error.h"
+
+#include <math.h>
+
+duct_status duct_search_new(const duct_allocator *allocator, duct_search_kind kind, const float *rows,
+                            size_t count, size_t dimensions, duct_search **search, duct_error *error)
+{
+    if (count == 0 || count > UINT32_MAX / 2) {
+        return duct_fail(error, DUCT_UNSUPPORTED, "a search index needs 1 to %u rows, not %zu",
+                         UINT32_MAX / 2, count);
+    }
+    return kind == DUCT_SEARCH_FLANN
+               ? duct_search_flann_new(allocator, rows, count, dimensions, search, error)
+               : duct_search_exact_new(allocator, rows, count, dimensions, search, error);
+}
+
+void duct_search_free(duct_search *search)
+{
+    if (search != NULL) {
+        search->method->destroy(search);
+    }
+}
+
+size_t duct_search_nearest(const duct_search *search, const float *query, size_t k, const uint32_t *hints,
+                           size_t hint_count, uint32_t *rows, float *distances)
+{
+    return search->method->nearest(search, query, k < search->count ? k : search->count, hints, hint_count,
+                                   rows, distances);
+}
+
+float duct_feature_distance(const float *query, const float *row, size_t dimensions)
+{
+    float square = 0;
+    for (size_t d = 0; d < dimensions; d++) {
+        float difference = query[d] - row[d];
+        square += difference * difference;
+    }
+    return sqrtf(square);
+}
+
+static bool worse(const duct_nearest *nearest, size_t a, size_t b)
+{
+    return nearest->squares[a] > nearest->squares[b] ||
+           (nearest->squares[a] == nearest->squares[b] && nearest->rows[a] > nearest->rows[b]);
+}
+
+static void swap(duct_nearest *nearest, size_t a, size_t b)
+{
+    float square = nearest->squares[a];
+    uint32_t row = nearest->rows[a];
+    nearest->squares[a] = nearest->squares[b];
+    nearest->rows[a] = nearest->rows[b];
+    nearest->squares[b] = square;
+    nearest->rows[b] = row;
+}
+
+static void sift_down(duct_nearest *nearest, size_t at, size_t count)
+{
+    for (;;) {
+        size_t child = 2 * at + 1;
+        if (child >= count) {
+            return;
+        }
+        if (child + 1 < count && worse(nearest, child + 1, child)) {
+            child++;
+        }
+        if (!worse(nearest, child, at)) {
+            return;
+        }
+        swap(nearest, at, child);
+        at = child;
+    }
+}
+
+void duct_nearest_put(duct_nearest *nearest, float square, uint32_t row)
+{
+    if (nearest->count < nearest->capacity) {
+        size_t at = nearest->count++;
+        nearest->squares[at] = square;
+        nearest->rows[at] = row;
+        while (at > 0 && worse(nearest, at, (at - 1) / 2)) {
+            swap(nearest, at, (at - 1) / 2);
+            at = (at - 1) / 2;
+        }
+        return;
+    }
+    nearest->squares[0] = square;
+    nearest->rows[0] = row;
+    sift_down(nearest, 0, nearest->count);
+}
+
+void duct_nearest_finish(duct_nearest *nearest)
+{
+    for (size_t count = nearest->count; count > 1; count--) {
+        swap(nearest, 0, count - 1);
+        sift_down(nearest, 0, count - 1);
+    }
+    for (size_t i = 0; i < nearest->count; i++) {
+        nearest->squares[i] = sqrtf(nearest->squares[i]);
+    }
+}
