@@ -159,7 +159,7 @@ duct_status duct_candidates_find(const duct_allocator *allocator, const duct_lib
     self.merged = duct_alloc(allocator, (MOST_TIMES_K + 1) * k, sizeof *self.merged);
     duct_status status;
     if (rows == NULL || columns->starts == NULL || self.near == NULL || self.distances == NULL ||
-        self.hints == NULL || self.merged == NULL) {
+        self.hints == NULL || self.nearest == NULL || self.merged == NULL) {
         status = duct_fail_memory(error);
     } else {
         status = duct_features_compute(allocator, &options->features, x, y, count, rows, error);

@@ -32,7 +32,7 @@ typedef struct {
 /* How many pieces the span behind input sample i is cut into. */
 static size_t pieces_of(double gap, double finest)
 {
-    double pieces = ceil(gap / finest - 1e-9);
+    double pieces = floor(gap / finest + 0.5);
     return pieces < 1 ? 1 : (size_t)pieces;
 }
 

@@ -12,6 +12,7 @@
 #include <ductus/format.h>
 
 #include <dirent.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -253,6 +254,23 @@ duct_status duct_library_drawing(const duct_context *context, const duct_library
     return DUCT_OK;
 }
 
+/* Digits beyond these are below what a tablet tells, and would double the file. */
+static void round_off(duct_drawing *drawing)
+{
+    static const double steps[DUCT_CHANNEL_COUNT] = {1e4, 1e4, 1e6, 1e5, 1e5, 1e5, 1e5};
+    for (size_t s = 0; s < duct_drawing_stroke_count(drawing); s++) {
+        duct_stroke *stroke = duct_drawing_edit_stroke(drawing, s);
+        for (int c = 0; c < DUCT_CHANNEL_COUNT; c++) {
+            double *values = duct_stroke_values(stroke, (duct_channel)c) != NULL
+                                 ? duct_stroke_edit(stroke, (duct_channel)c)
+                                 : NULL;
+            for (size_t i = 0; values != NULL && i < duct_stroke_size(stroke); i++) {
+                values[i] = rint(values[i] * steps[c]) / steps[c];
+            }
+        }
+    }
+}
+
 duct_status duct_library_save(const duct_context *context, const duct_library *library, const char *path,
                               duct_error *error)
 {
@@ -265,6 +283,7 @@ duct_status duct_library_save(const duct_context *context, const duct_library *l
     if (status != DUCT_OK) {
         return status;
     }
+    round_off(drawing);
     status = duct_drawing_write(context, drawing, path, NULL, error);
     duct_drawing_free(drawing);
     if (status != DUCT_OK) {

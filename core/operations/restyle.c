@@ -128,7 +128,7 @@ static const duct_param params[] = {
      "degrees", 1, 180, 5, "60", NO_CHOICE, "Shape", true},
     {"vertex-cost", "Vertex cost",
      "How much the drawing's course must deviate from a straight line before another anchor is set.",
-     DUCT_PARAM_REAL, "square samples", 0, 1e6, 5, "30", NO_CHOICE, "Shape", true},
+     DUCT_PARAM_REAL, "square samples", 0, 1e6, 5, "10", NO_CHOICE, "Shape", true},
 };
 
 static const duct_preset_value paper_values[] = {{"anchors", "paper"}, {"coherent", "false"}};

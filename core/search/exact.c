@@ -44,9 +44,10 @@ WIDE static void block_squares(const float *block, const float *query, size_t di
     memcpy(squares, &sum, sizeof sum);
 }
 
-static inline bool any_within(lanes sum, float limit)
+/* By address: passing vectors by value would depend on the processor's calling convention. */
+static inline bool any_within(const lanes *sum, float limit)
 {
-    masks within = sum <= limit;
+    masks within = *sum <= limit;
     int32_t any = 0;
     for (size_t lane = 0; lane < LANES; lane++) {
         any |= within[lane];
@@ -71,7 +72,7 @@ WIDE static bool group_bounds(const float *low, const float *high, const float *
             lanes outside = (lanes)((masks)below & (below > zero)) + (lanes)((masks)above & (above > zero));
             sum += outside * outside;
         }
-        if (!any_within(sum, limit)) {
+        if (!any_within(&sum, limit)) {
             return false;
         }
     }

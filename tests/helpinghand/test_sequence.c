@@ -34,7 +34,8 @@ static void make_problem(problem *p, uint64_t seed, size_t shortest, bool direct
     memcpy(p->starts, starts, sizeof starts);
     for (size_t i = 0; i < LIBRARY_SAMPLES; i++) {
         double angle = 6.28 * uniform(seed, 1, i);
-        duct_jump_vector pose = {{uniform(seed, 2, i), uniform(seed, 3, i), uniform(seed, 4, i)}, angle - 3.1};
+        duct_jump_vector pose = {{uniform(seed, 2, i), uniform(seed, 3, i), uniform(seed, 4, i)},
+                                 angle - 3.1};
         duct_jump_vector velocity = {{cos(angle), sin(angle), 0}, 0};
         p->vectors[i] = direction ? velocity : pose;
     }
@@ -51,7 +52,8 @@ static void make_problem(problem *p, uint64_t seed, size_t shortest, bool direct
         p->column_starts[i] = at;
         size_t wanted = 1 + (size_t)(MOST_CANDIDATES * uniform(seed, 8, i));
         uint32_t near = (uint32_t)(10 * uniform(seed, 9, 0)) + (uint32_t)i / 2;
-        for (uint32_t sample = near; sample < LIBRARY_SAMPLES && at - p->column_starts[i] < wanted; sample++) {
+        for (uint32_t sample = near; sample < LIBRARY_SAMPLES && at - p->column_starts[i] < wanted;
+             sample++) {
             bool last = sample + 1 == LIBRARY_SAMPLES;
             if (uniform(seed, 10 + i, sample) < 0.5 || (last && at == p->column_starts[i])) {
                 uint32_t stroke = 0;
@@ -100,10 +102,9 @@ static void agrees_with_brute_force(void **state)
         make_problem(&p, seed, 1 + seed % 6, seed % 3 == 0);
         size_t best[MOST_SAMPLES], chosen[MOST_SAMPLES];
         double lowest = brute_force(&p, best);
-        assert_ok(duct_sequence_solve(duct_allocator_of(NULL), &p.columns, p.starts, &p.space, &p.costs, chosen,
-                                      &error));
-        double total =
-            duct_sequence_evaluate(&p.columns, p.starts, &p.space, &p.costs, chosen, NULL).total;
+        assert_ok(duct_sequence_solve(duct_allocator_of(NULL), &p.columns, p.starts, &p.space, &p.costs,
+                                      chosen, &error));
+        double total = duct_sequence_evaluate(&p.columns, p.starts, &p.space, &p.costs, chosen, NULL).total;
         if (fabs(total - lowest) > 1e-9 * (1 + lowest)) {
             print_error("seed %d: %.12g, brute force %.12g\n", (int)seed, total, lowest);
         }
@@ -152,8 +153,8 @@ static void twist_is_compared_on_the_circle(void **state)
     assert_true(fabs(duct_jump_distance(&space, 0, 1) - (2 * M_PI - 6.2) / 0.5) < 1e-12);
 }
 
-/* More columns than one stride: the way back is walked in pieces and must be the same. A library that is one long stroke,
- * with candidates around its diagonal, has an optimum that is known: straight along it. */
+/* More columns than one stride: the way back is walked in pieces and must be the same. A library that is one
+ * long stroke, with candidates around its diagonal, has an optimum that is known: straight along it. */
 static void long_strokes_are_solved_in_pieces(void **state)
 {
     (void)state;
@@ -210,7 +211,8 @@ static void survives_failing_allocations(void **state)
     for (long n = 1; status != DUCT_OK; n++) {
         failing_allocator failing;
         failing_init(&failing, n);
-        status = duct_sequence_solve(&failing.allocator, &p.columns, p.starts, &p.space, &p.costs, chosen, &error);
+        status =
+            duct_sequence_solve(&failing.allocator, &p.columns, p.starts, &p.space, &p.costs, chosen, &error);
         assert_true(status == DUCT_OK || status == DUCT_NO_MEMORY);
         assert_int_equal(failing.held, 0);
         assert_true(n < 100);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The shape optimization against a dense least-squares solve by LAPACK, and what it promises about ends and closing. */
+/* The shape optimization against a dense least-squares solve by LAPACK, and what it promises about ends and
+ * closing. */
 #include "testing.h"
 
 #include "base/memory.h"
@@ -59,7 +60,8 @@ static void solve_densely(const query *q, const duct_shape_options *options, con
         b[2 * rows + 1] = root * q->y[i];
         rows++;
         root = sqrt(options->curvature_weight);
-        for (long j = (long)i - (long)options->curvature_reach; j <= (long)(i + options->curvature_reach); j++) {
+        for (long j = (long)i - (long)options->curvature_reach; j <= (long)(i + options->curvature_reach);
+             j++) {
             if (j < 1 || j + 1 >= COUNT) {
                 continue;
             }
@@ -90,7 +92,8 @@ static void agrees_with_dense_least_squares(void **state)
         bool marks[COUNT];
         double x[COUNT], y[COUNT], dense_x[COUNT], dense_y[COUNT];
         assert_ok(duct_anchors_find(duct_allocator_of(NULL), &paper, q.x, q.y, COUNT, marks, &error));
-        assert_ok(duct_shape_solve(duct_allocator_of(NULL), &paper, q.x, q.y, q.gestures, COUNT, false, x, y, &error));
+        assert_ok(duct_shape_solve(duct_allocator_of(NULL), &paper, q.x, q.y, q.gestures, COUNT, false, x, y,
+                                   &error));
         solve_densely(&q, &paper, marks, dense_x, dense_y);
         for (size_t i = 0; i < COUNT; i++) {
             assert_true(fabs(x[i] - dense_x[i]) < 1e-8 && fabs(y[i] - dense_y[i]) < 1e-8);
@@ -156,10 +159,12 @@ static void ends_stay_within_a_unit(void **state)
             q.gestures[i].vy = 2;
         }
         double x[COUNT], y[COUNT];
-        assert_ok(duct_shape_solve(duct_allocator_of(NULL), &on, q.x, q.y, q.gestures, COUNT, false, x, y, &error));
+        assert_ok(
+            duct_shape_solve(duct_allocator_of(NULL), &on, q.x, q.y, q.gestures, COUNT, false, x, y, &error));
         assert_true(hypot(x[0] - q.x[0], y[0] - q.y[0]) <= 1);
         assert_true(hypot(x[COUNT - 1] - q.x[COUNT - 1], y[COUNT - 1] - q.y[COUNT - 1]) <= 1);
-        assert_ok(duct_shape_solve(duct_allocator_of(NULL), &paper, q.x, q.y, q.gestures, COUNT, false, x, y, &error));
+        assert_ok(duct_shape_solve(duct_allocator_of(NULL), &paper, q.x, q.y, q.gestures, COUNT, false, x, y,
+                                   &error));
         worst_paper = fmax(worst_paper, hypot(x[0] - q.x[0], y[0] - q.y[0]));
     }
     assert_true(worst_paper > 1); /* otherwise the above shows nothing */
@@ -181,7 +186,8 @@ static void closed_strokes_stay_closed(void **state)
         duct_shape_options options = paper;
         options.anchors = kinds[k];
         double x[COUNT], y[COUNT];
-        assert_ok(duct_shape_solve(duct_allocator_of(NULL), &options, q.x, q.y, q.gestures, COUNT, true, x, y, &error));
+        assert_ok(duct_shape_solve(duct_allocator_of(NULL), &options, q.x, q.y, q.gestures, COUNT, true, x, y,
+                                   &error));
         assert_true(hypot(x[COUNT - 1] - x[0], y[COUNT - 1] - y[0]) < 1e-9);
         double largest = 0;
         for (size_t i = 1; i < COUNT; i++) {
@@ -207,7 +213,7 @@ static void corners_and_ends_are_anchors(void **state)
     for (size_t i = 0; i < COUNT; i++) {
         count += marks[i];
     }
-    assert_int_equal(count, 3); /* straight arms need no vertices */
+    assert_int_equal(count, 3);          /* straight arms need no vertices */
     for (size_t i = 0; i < COUNT; i++) { /* a circle has no corner: polyline vertices hold it */
         x[i] = 20 * cos(0.1 * (double)i);
         y[i] = 20 * sin(0.1 * (double)i);
@@ -228,7 +234,8 @@ static void tiny_strokes_work(void **state)
     make_query(&q, 1);
     for (size_t count = 2; count < 16; count++) {
         double x[COUNT], y[COUNT];
-        assert_ok(duct_shape_solve(duct_allocator_of(NULL), &paper, q.x, q.y, q.gestures, count, false, x, y, &error));
+        assert_ok(duct_shape_solve(duct_allocator_of(NULL), &paper, q.x, q.y, q.gestures, count, false, x, y,
+                                   &error));
         for (size_t i = 0; i < count; i++) {
             assert_true(isfinite(x[i]) && isfinite(y[i]));
         }
