@@ -21,7 +21,7 @@ static void reads_units_of_the_recorder(void **state)
     assert_near(value_of(drawing, 0, DUCT_T, 1), 0.007, 0);
     assert_near(value_of(drawing, 0, DUCT_PRESSURE, 1), 0.6, 0);
     assert_near(value_of(drawing, 1, DUCT_TILT_X, 0), 60 * 3.14159265358979 / 180, 1e-12);
-    assert_near(value_of(drawing, 0, DUCT_TILT_Y, 0), -15 * 3.14159265358979 / 180, 1e-12);
+    assert_near(value_of(drawing, 0, DUCT_TILT_Y, 0), 15 * 3.14159265358979 / 180, 1e-12);
     duct_drawing_free(drawing);
 }
 
@@ -30,7 +30,7 @@ static void unwraps_twist_across_360_degrees(void **state)
     (void)state;
     duct_drawing *drawing = read_text(SMALL);
     double step = value_of(drawing, 0, DUCT_TWIST, 1) - value_of(drawing, 0, DUCT_TWIST, 0);
-    assert_near(step, 20 * 3.14159265358979 / 180, 1e-12);
+    assert_near(step, -20 * 3.14159265358979 / 180, 1e-12);
     duct_drawing_free(drawing);
 }
 
@@ -176,7 +176,7 @@ static void twist_just_below_a_turn_is_not_printed_as_360(void **state)
     duct_drawing *drawing = random_drawing(1, 1, true);
     duct_stroke *stroke = duct_drawing_edit_stroke(drawing, 0);
     assert_true(duct_stroke_size(stroke) > 0);
-    duct_stroke_edit(stroke, DUCT_TWIST)[0] = -1e-14;
+    duct_stroke_edit(stroke, DUCT_TWIST)[0] = 1e-14;
     duct_error error;
     char *data;
     size_t size;

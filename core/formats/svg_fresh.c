@@ -1,0 +1,332 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "formats/svg_private.h"
+
+#include "base/error.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* An id that stands in the new elements: sorted, equal ones are told apart by numbers. */
+typedef struct {
+    const char *id;
+    size_t index;
+} use;
+
+/* Ids may hold no white space; browsers and Inkscape take all else. */
+static void add_id(duct_text *out, const char *id)
+{
+    size_t begin = out->size;
+    duct_text_add_xml(out, id);
+    for (size_t i = begin; i < out->size && !out->failed; i++) {
+        if (duct_is_space(out->data[i])) {
+            out->data[i] = '_';
+        }
+    }
+}
+
+void duct_svg_add_new_id(const duct_svg_document *document, const char *id, const char *suffix,
+                         duct_text *out)
+{
+    duct_text made;
+    duct_text_init(&made, out->allocator);
+    for (int number = 1; number < 10000; number++) {
+        made.size = 0;
+        duct_text_add(&made, id);
+        duct_text_add(&made, suffix);
+        if (number > 1) {
+            duct_text_addf(&made, "-%d", number);
+        }
+        if (made.failed || document == NULL ||
+            duct_svg_document_find(document, duct_slice_of(made.data)) == NULL) {
+            break;
+        }
+    }
+    out->failed = out->failed || made.failed;
+    if (!made.failed) {
+        add_id(out, made.data);
+    }
+    duct_text_free(&made);
+}
+
+static int compare_uses(const void *left, const void *right)
+{
+    const use *a = left, *b = right;
+    int order = strcmp(a->id, b->id);
+    return order != 0 ? order : a->index < b->index ? -1 : a->index > b->index;
+}
+
+/* For each stroke of the list: how many before it have the same id. */
+static duct_status count_repeats(const duct_svg_new_strokes *strokes, const duct_allocator *allocator,
+                                 size_t **repeats, duct_error *error)
+{
+    use *uses = duct_alloc(allocator, strokes->count, sizeof *uses);
+    size_t *made = duct_alloc(allocator, strokes->count, sizeof *made);
+    if (uses == NULL || made == NULL) {
+        duct_release(allocator, uses);
+        duct_release(allocator, made);
+        return duct_fail_memory(error);
+    }
+    for (size_t i = 0; i < strokes->count; i++) {
+        uses[i] = (use){duct_stroke_id(duct_drawing_stroke(strokes->drawing, strokes->indices[i])), i};
+    }
+    if (strokes->count > 1) {
+        qsort(uses, strokes->count, sizeof *uses, compare_uses);
+    }
+    for (size_t i = 1; i < strokes->count; i++) {
+        bool same = strcmp(uses[i].id, uses[i - 1].id) == 0;
+        made[uses[i].index] = same ? made[uses[i - 1].index] + 1 : 0;
+    }
+    duct_release(allocator, uses);
+    *repeats = made;
+    return DUCT_OK;
+}
+
+static void add_style(const duct_stroke *stroke, bool outline, double scale, duct_text *out)
+{
+    duct_stroke_style style = duct_stroke_get_style(stroke);
+    duct_text_add(out, outline ? " style=\"fill:" : " style=\"fill:none;stroke:");
+    duct_svg_add_color(out, (double)style.red, (double)style.green, (double)style.blue);
+    if (style.opacity < 1) {
+        duct_text_add(out, outline ? ";fill-opacity:" : ";stroke-opacity:");
+        duct_text_add_number(out, (double)style.opacity, 6);
+    }
+    if (outline) {
+        duct_text_add(out, ";stroke:none");
+    } else {
+        duct_text_add(out, ";stroke-width:");
+        duct_text_add_number(out, (style.width > 0 ? style.width : 1) * scale, 6);
+        duct_text_add(out, ";stroke-linecap:round;stroke-linejoin:round");
+    }
+    duct_text_add(out, "\"");
+}
+
+static duct_status add_stroke(const duct_svg_new_strokes *strokes, const duct_stroke *stroke, size_t repeat,
+                              duct_text *out, duct_error *error)
+{
+    bool outline = duct_svg_shows_outline(stroke, strokes->options);
+    duct_status status = DUCT_OK;
+    duct_path path;
+    duct_path_init(&path, out->allocator);
+    if (outline) {
+        status = duct_svg_add_outline(stroke, strokes->options->fit_tolerance, &path, error);
+    } else {
+        duct_svg_add_spine(stroke, strokes->options->fit_tolerance, &path);
+    }
+    duct_path_transform(&path, strokes->inverse);
+    duct_text_add(out, "<");
+    duct_text_add(out, strokes->prefix);
+    duct_text_add(out, "path");
+    const char *id = duct_stroke_id(stroke);
+    if (*id != '\0') {
+        char suffix[32] = "";
+        if (repeat > 0) {
+            snprintf(suffix, sizeof suffix, "-%zu", repeat + 1);
+        }
+        duct_text_add(out, " id=\"");
+        duct_svg_add_new_id(strokes->document, id, suffix, out);
+        duct_text_add(out, "\"");
+    }
+    add_style(stroke, outline, duct_affine_scale(strokes->inverse), out);
+    duct_text_add(out, " d=\"");
+    duct_path_svg(&path, duct_svg_decimals(1 / duct_affine_scale(strokes->inverse)), out);
+    duct_text_add(out, "\"/>\n");
+    if (status == DUCT_OK && (path.failed || out->failed)) {
+        status = duct_fail_memory(error);
+    }
+    duct_path_free(&path);
+    return status;
+}
+
+/* How much of two group paths is the same, in whole names. */
+static size_t common_groups(const char *left, const char *right)
+{
+    size_t common = 0;
+    for (size_t i = 0;; i++) {
+        bool left_ends = left[i] == '\0' || left[i] == '/', right_ends = right[i] == '\0' || right[i] == '/';
+        if (left_ends && right_ends) {
+            common = i;
+        }
+        if (left[i] == '\0' || left[i] != right[i]) {
+            return common;
+        }
+    }
+}
+
+static size_t group_depth(const char *group, size_t size)
+{
+    size_t depth = size > 0 ? 1 : 0;
+    for (size_t i = 0; i < size; i++) {
+        depth += group[i] == '/';
+    }
+    return depth;
+}
+
+/* Closes the groups of `old` and opens those of `group`, as far as they differ. A group gets an id where it
+ * is met first; where its strokes are not all together, the others have none, for an id may stand once only.
+ */
+static void change_group(const duct_svg_new_strokes *strokes, const char *old, const char *group, bool first,
+                         duct_text *out)
+{
+    size_t common = common_groups(old, group);
+    for (size_t depth = group_depth(old, strlen(old)); depth > group_depth(old, common); depth--) {
+        duct_text_addf(out, "</%sg>\n", strokes->prefix);
+    }
+    const char *name = group + common + (group[common] == '/');
+    while (*name != '\0') {
+        size_t size = strcspn(name, "/");
+        duct_text_addf(out, "<%sg", strokes->prefix);
+        if (first && size > 0) {
+            duct_text id;
+            duct_text_init(&id, out->allocator);
+            duct_text_add_bytes(&id, name, size);
+            out->failed = out->failed || id.failed;
+            duct_text_add(out, " id=\"");
+            duct_svg_add_new_id(strokes->document, id.data != NULL ? id.data : "", "", out);
+            duct_text_add(out, "\"");
+            duct_text_free(&id);
+        }
+        duct_text_add(out, ">\n");
+        name += size + (name[size] == '/');
+    }
+}
+
+/* True where no stroke of the list before `index` is in this group or within it. */
+static duct_status first_uses(const duct_svg_new_strokes *strokes, const duct_allocator *allocator,
+                              bool **first, duct_error *error)
+{
+    use *uses = duct_alloc(allocator, strokes->count, sizeof *uses);
+    bool *made = duct_alloc(allocator, strokes->count, sizeof *made);
+    if (uses == NULL || made == NULL) {
+        duct_release(allocator, uses);
+        duct_release(allocator, made);
+        return duct_fail_memory(error);
+    }
+    for (size_t i = 0; i < strokes->count; i++) {
+        uses[i] = (use){duct_stroke_group(duct_drawing_stroke(strokes->drawing, strokes->indices[i])), i};
+    }
+    if (strokes->count > 1) {
+        qsort(uses, strokes->count, sizeof *uses, compare_uses);
+    }
+    for (size_t i = 0; i < strokes->count; i++) {
+        made[uses[i].index] = i == 0 || strcmp(uses[i].id, uses[i - 1].id) != 0;
+    }
+    duct_release(allocator, uses);
+    *first = made;
+    return DUCT_OK;
+}
+
+duct_status duct_svg_write_strokes(const duct_svg_new_strokes *strokes, duct_text *out, duct_error *error)
+{
+    size_t *repeats = NULL;
+    bool *first = NULL;
+    duct_status status = count_repeats(strokes, out->allocator, &repeats, error);
+    if (status == DUCT_OK) {
+        status = first_uses(strokes, out->allocator, &first, error);
+    }
+    const char *group = "";
+    for (size_t i = 0; i < strokes->count && status == DUCT_OK; i++) {
+        const duct_stroke *stroke = duct_drawing_stroke(strokes->drawing, strokes->indices[i]);
+        if (duct_stroke_size(stroke) == 0) {
+            continue;
+        }
+        change_group(strokes, group, duct_stroke_group(stroke), first[i], out);
+        group = duct_stroke_group(stroke);
+        status = add_stroke(strokes, stroke, repeats[i], out, error);
+    }
+    change_group(strokes, group, "", false, out);
+    duct_release(out->allocator, repeats);
+    duct_release(out->allocator, first);
+    return status;
+}
+
+/* The page, or the box of the strokes with room for their widths. */
+static void page_of(const duct_drawing *drawing, double page[4])
+{
+    page[0] = page[1] = 0;
+    page[2] = duct_drawing_width(drawing);
+    page[3] = duct_drawing_height(drawing);
+    double box[4], width = 1;
+    if ((page[2] > 0 && page[3] > 0) || !duct_drawing_bounds(drawing, box)) {
+        return;
+    }
+    for (size_t i = 0; i < duct_drawing_stroke_count(drawing); i++) {
+        width = fmax(width, duct_stroke_get_style(duct_drawing_stroke(drawing, i)).width);
+    }
+    double margin = ceil(2 * width);
+    page[0] = floor(box[0] - margin);
+    page[1] = floor(box[1] - margin);
+    page[2] = ceil(box[2] + margin) - page[0];
+    page[3] = ceil(box[3] + margin) - page[1];
+}
+
+static void add_root(const duct_drawing *drawing, duct_text *out)
+{
+    double page[4], resolution = duct_drawing_resolution(drawing);
+    double scale = resolution > 0 ? 96 / resolution : 1;
+    page_of(drawing, page);
+    duct_text_add(out,
+                  "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"");
+    if (page[2] > 0 && page[3] > 0) {
+        duct_text_add(out, " width=\"");
+        duct_text_add_fixed(out, page[2] * scale, 6);
+        duct_text_add(out, "\" height=\"");
+        duct_text_add_fixed(out, page[3] * scale, 6);
+        duct_text_add(out, "\" viewBox=\"");
+        for (int i = 0; i < 4; i++) {
+            duct_text_add(out, i > 0 ? " " : "");
+            duct_text_add_fixed(out, page[i], 6);
+        }
+        duct_text_add(out, "\"");
+    }
+    duct_text_add(out, ">\n");
+}
+
+static void add_annotation(const char *begin, const char *text, const char *end, duct_text *out)
+{
+    if (text != NULL) {
+        duct_text_add(out, begin);
+        duct_text_add_xml(out, text);
+        duct_text_add(out, end);
+    }
+}
+
+/* Title and description are SVG's own; all others are InkML's annotations within <metadata>. */
+static void add_annotations(const duct_drawing *drawing, duct_text *out)
+{
+    const char *key, *value;
+    bool open = false;
+    add_annotation("<title>", duct_drawing_annotation(drawing, "title"), "</title>\n", out);
+    add_annotation("<desc>", duct_drawing_annotation(drawing, "description"), "</desc>\n", out);
+    for (size_t i = 0; duct_drawing_annotation_at(drawing, i, &key, &value); i++) {
+        if (strcmp(key, "title") == 0 || strcmp(key, "description") == 0) {
+            continue;
+        }
+        duct_text_add(out, open ? "" : "<metadata>\n");
+        open = true;
+        duct_text_add(out, "<annotation xmlns=\"http://www.w3.org/2003/InkML\" type=\"");
+        duct_text_add_xml(out, key);
+        add_annotation("\">", value, "</annotation>\n", out);
+    }
+    duct_text_add(out, open ? "</metadata>\n" : "");
+}
+
+duct_status duct_svg_write_fresh(const duct_drawing *drawing, const duct_format_options *options,
+                                 duct_text *out, duct_error *error)
+{
+    size_t count = duct_drawing_stroke_count(drawing);
+    size_t *indices = duct_alloc(out->allocator, count, sizeof *indices);
+    if (indices == NULL) {
+        return duct_fail_memory(error);
+    }
+    for (size_t i = 0; i < count; i++) {
+        indices[i] = i;
+    }
+    duct_svg_new_strokes strokes = {drawing, indices, count, options, duct_affine_identity(), "", NULL};
+    add_root(drawing, out);
+    add_annotations(drawing, out);
+    duct_status status = duct_svg_write_strokes(&strokes, out, error);
+    duct_text_add(out, "</svg>\n");
+    duct_release(out->allocator, indices);
+    return status;
+}
