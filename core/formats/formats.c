@@ -12,9 +12,7 @@
 
 /* Sniffed in this order. */
 static const duct_format_impl *const formats[] = {
-#ifdef DUCTUS_HAVE_SVG
     &duct_format_svg,
-#endif
     &duct_format_inkml,
     &duct_format_cyn,
     &duct_format_csv,

@@ -42,6 +42,50 @@ bool duct_svg_shows_outline(const duct_stroke *stroke, const duct_format_options
     return options->line_style == DUCT_LINE_OUTLINE && duct_stroke_values(stroke, DUCT_PRESSURE) != NULL;
 }
 
+/* Points on the straight line between samples that are far apart, close together near its ends. The fit knows
+ * of nothing between its points, and would round off a polyline's blunt corners. */
+static void add_between(duct_points *points, double x0, double y0, double x1, double y1, double tolerance)
+{
+    double length = hypot(x1 - x0, y1 - y0), nearest = 16 * tolerance, from_end = length / 2;
+    double along = nearest;
+    for (; along < length / 2; along *= 2) {
+        double t = along / length;
+        duct_points_add(points, x0 + (x1 - x0) * t, y0 + (y1 - y0) * t);
+        from_end = along;
+    }
+    for (; from_end >= nearest && from_end > 0; from_end /= 2) {
+        double t = from_end / length;
+        duct_points_add(points, x1 - (x1 - x0) * t, y1 - (y1 - y0) * t);
+    }
+}
+
+/* Samples with times come from a pen, whose way between them is smooth; without times they are corners of a
+ * line that was flattened. */
+static void fit_spine(const duct_stroke *stroke, double tolerance, duct_path *path)
+{
+    const double *x = duct_stroke_values(stroke, DUCT_X), *y = duct_stroke_values(stroke, DUCT_Y);
+    size_t size = duct_stroke_size(stroke);
+    bool closed = duct_stroke_closed(stroke);
+    if (duct_stroke_values(stroke, DUCT_T) != NULL) {
+        duct_fit_curve(x, y, size, closed, tolerance, path);
+        return;
+    }
+    duct_points points;
+    duct_points_init(&points, path->allocator, SIZE_MAX);
+    for (size_t i = 0; i < size; i++) {
+        if (i > 0) {
+            add_between(&points, x[i - 1], y[i - 1], x[i], y[i], tolerance);
+        }
+        duct_points_add(&points, x[i], y[i]);
+    }
+    if (closed) {
+        add_between(&points, x[size - 1], y[size - 1], x[0], y[0], tolerance);
+    }
+    path->failed = path->failed || points.failed;
+    duct_fit_curve(points.x, points.y, points.count, closed, tolerance, path);
+    duct_points_free(&points);
+}
+
 void duct_svg_add_spine(const duct_stroke *stroke, double tolerance, duct_path *path)
 {
     const double *x = duct_stroke_values(stroke, DUCT_X), *y = duct_stroke_values(stroke, DUCT_Y);
@@ -54,7 +98,7 @@ void duct_svg_add_spine(const duct_stroke *stroke, double tolerance, duct_path *
             duct_path_close(path);
         }
     } else if (size > 1) {
-        duct_fit_curve(x, y, size, duct_stroke_closed(stroke), tolerance, path);
+        fit_spine(stroke, tolerance, path);
     }
 }
 

@@ -8,9 +8,8 @@
 #include <math.h>
 
 enum {
-    INSIDE = 3,   /* how many samples the end anchors lie inside the ends */
-    WINDOW = 5,   /* samples before and after one that its turning angle is measured over */
-    LONGEST = 200 /* the longest polyline segment looked at, in samples: keeps long strokes linear in time */
+    INSIDE = 3, /* how many samples the end anchors lie inside the ends */
+    WINDOW = 5  /* samples before and after one that its turning angle is measured over */
 };
 
 /* The turning angle at sample i, 0..pi, between the chords of the window before and after it. */
@@ -64,8 +63,8 @@ duct_status duct_anchors_find(const duct_allocator *allocator, const duct_shape_
     size_t from = inside;
     for (size_t i = inside + 1; status == DUCT_OK && i + inside < count; i++) {
         if (marks[i]) {
-            status =
-                duct_polyline_vertices(allocator, x, y, from, i, options->vertex_cost, LONGEST, marks, error);
+            status = duct_polyline_vertices(allocator, x, y, from, i, options->vertex_cost, options->longest,
+                                            marks, error);
             from = i;
         }
     }

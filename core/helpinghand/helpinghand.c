@@ -3,33 +3,10 @@
 
 #include "base/error.h"
 #include "geometry/resample.h"
-#include "library/annotations.h"
+#include "geometry/statistics.h"
 #include "library/library_private.h"
 
 #include <math.h>
-
-/* A stroke's total turning, radians, over polyline corners. */
-static double total_turning(const duct_stroke *stroke)
-{
-    const double *x = duct_stroke_values(stroke, DUCT_X), *y = duct_stroke_values(stroke, DUCT_Y);
-    double turning = 0, px = 0, py = 0;
-    for (size_t i = 1; i < duct_stroke_size(stroke); i++) {
-        double dx = x[i] - x[i - 1], dy = y[i] - y[i - 1];
-        if (dx == 0 && dy == 0) {
-            continue;
-        }
-        if (px != 0 || py != 0) {
-            turning += fabs(atan2(px * dy - py * dx, px * dx + py * dy));
-        }
-        px = dx;
-        py = dy;
-    }
-    return turning;
-}
-
-/* A vector path may be very long and yet be one stroke: sampled by the median alone it would lose its shape.
- * So no unit is coarser than a turn of a right angle, on average, in this many samples. */
-static const double turn_samples = 6;
 
 duct_status duct_helpinghand_auto_unit(const duct_allocator *allocator, const duct_library *library,
                                        const duct_drawing *drawing, double *unit, duct_error *error)
@@ -39,21 +16,16 @@ duct_status duct_helpinghand_auto_unit(const duct_allocator *allocator, const du
     if (lengths == NULL) {
         return duct_fail_memory(error);
     }
-    double length_sum = 0, turning_sum = 0;
     for (size_t i = 0; i < count; i++) {
         const duct_stroke *stroke = duct_drawing_stroke(drawing, i);
         double length = duct_stroke_length(stroke);
         if (length > 0 && isfinite(length)) {
             lengths[used++] = length;
-            length_sum += length;
-            turning_sum += total_turning(stroke);
         }
     }
     double median = duct_median(lengths, used);
     duct_release(allocator, lengths);
     double made = median / library->median_size;
-    double finest = turning_sum > 0 ? length_sum / turning_sum * (M_PI / 2) / turn_samples : made;
-    made = finest < made ? finest : made;
     *unit = made > 0 ? made : library->unit;
     return DUCT_OK;
 }
@@ -88,7 +60,7 @@ static void fill_vectors(duct_helpinghand *hand)
 }
 
 duct_status duct_helpinghand_init(const duct_allocator *allocator, const duct_library *library,
-                                  const duct_helpinghand_options *options, double unit,
+                                  const duct_helpinghand_options *options, double unit, bool refine,
                                   duct_helpinghand *hand, duct_error *error)
 {
     bool any = library->channels[DUCT_PRESSURE] != NULL || library->channels[DUCT_TILT_X] != NULL ||
@@ -100,7 +72,8 @@ duct_status duct_helpinghand_init(const duct_allocator *allocator, const duct_li
             "trajectory or another hand",
             library->name);
     }
-    duct_helpinghand made = {.allocator = *allocator, .library = library, .options = *options, .unit = unit};
+    duct_helpinghand made = {
+        .allocator = *allocator, .library = library, .options = *options, .unit = unit, .refine = refine};
     duct_status status =
         duct_library_features(library, &options->features, options->search, &made.index, error);
     if (status != DUCT_OK) {

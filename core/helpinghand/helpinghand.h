@@ -54,21 +54,21 @@ typedef struct duct_helpinghand {
     const duct_library *library;
     duct_helpinghand_options options;
     double unit; /* drawing pixels a sampling unit */
+    bool refine; /* vector strokes that the unit is too coarse for get one of their own */
     duct_feature_index index;
     duct_jump_vector *poses;      /* by library sample */
     duct_jump_vector *directions; /* by library sample */
 } duct_helpinghand;
 
 /* The sampling unit, in drawing pixels, at which a drawing's sizes meet the library's: the median strokes of
- * both are equally long; but never so coarse that the drawing's strokes would lose their shape. Errors:
- * DUCT_NO_MEMORY. */
+ * both are equally long. Errors: DUCT_NO_MEMORY. */
 duct_status duct_helpinghand_auto_unit(const duct_allocator *allocator, const duct_library *library,
                                        const duct_drawing *drawing, double *unit, duct_error *error);
 
 /* Checks that the library has what the options ask for, and makes it ready. `library` must outlive it. Freed
  * by duct_helpinghand_done(). Errors: DUCT_UNSUPPORTED (names the missing channel), DUCT_NO_MEMORY. */
 duct_status duct_helpinghand_init(const duct_allocator *allocator, const duct_library *library,
-                                  const duct_helpinghand_options *options, double unit,
+                                  const duct_helpinghand_options *options, double unit, bool refine,
                                   duct_helpinghand *hand, duct_error *error);
 void duct_helpinghand_done(duct_helpinghand *hand);
 

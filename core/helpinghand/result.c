@@ -45,7 +45,7 @@ static duct_status list_emissions(const duct_helpinghand *hand, const duct_resul
     const double *x = duct_stroke_values(stroke, DUCT_X), *y = duct_stroke_values(stroke, DUCT_Y);
     bool moves = hand->options.mode != DUCT_STYLIZE_POSE;
     bool recorded = duct_stroke_values(stroke, DUCT_T) != NULL;
-    double finest = moves ? hand->unit / 2 : recorded ? INFINITY : hand->unit;
+    double finest = moves ? result->unit / 2 : recorded ? INFINITY : result->unit;
     size_t spans = duct_stroke_closed(stroke) && size > 2 ? size : size - 1, total = size;
     for (size_t i = 0; i < spans; i++) {
         size_t next = (i + 1) % size;
@@ -148,7 +148,7 @@ static double output_value(const duct_helpinghand *hand, const duct_result *resu
             return old;
         }
         const double *values = channel == DUCT_X ? result->x : result->y;
-        double made = position(values, result->count, sample->place) * hand->unit;
+        double made = position(values, result->count, sample->place) * result->unit;
         return hand->options.amount < 1 ? old + hand->options.amount * (made - old) : made;
     }
     if (channel == DUCT_T || !gives_pose(hand, channel)) {

@@ -9,6 +9,7 @@
  * for pose. */
 typedef struct duct_result {
     size_t count;
+    double unit; /* drawing pixels a sampling unit */
     double *x, *y;
     duct_gesture *gestures;
 } duct_result;

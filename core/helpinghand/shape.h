@@ -15,6 +15,7 @@ typedef struct duct_shape_options {
     duct_anchors anchors;
     double corner;           /* turning angle above which a local maximum is an angle point, radians */
     double vertex_cost;      /* squared misfit that another polyline vertex must save, square units */
+    size_t longest;          /* most samples between two anchors */
     double anchor_weight;    /* C_a */
     double curvature_weight; /* C_k */
     size_t curvature_reach;  /* epsilon */

@@ -5,17 +5,18 @@
 
 #include "base/error.h"
 #include "geometry/resample.h"
+#include "geometry/statistics.h"
 #include "helpinghand/pass.h"
 #include "helpinghand/result.h"
 
 #include <math.h>
 #include <string.h>
 
-static void positions_of(const duct_helpinghand *hand, const duct_samples *query, duct_result *result)
+static void positions_of(const duct_samples *query, duct_result *result)
 {
     for (size_t i = 0; i < query->count; i++) {
-        result->x[i] = query->channels[DUCT_X][i] / hand->unit;
-        result->y[i] = query->channels[DUCT_Y][i] / hand->unit;
+        result->x[i] = query->channels[DUCT_X][i] / result->unit;
+        result->y[i] = query->channels[DUCT_Y][i] / result->unit;
     }
 }
 
@@ -29,7 +30,7 @@ static duct_status shape(const duct_helpinghand *hand, const duct_samples *query
         return duct_fail_memory(error);
     }
     /* The query's steps are not exactly a unit, so that a whole number of them fits its length. */
-    double step = query->step / hand->unit;
+    double step = query->step / result->unit;
     for (size_t i = 0; i < count; i++) {
         gestures[i].vx *= step;
         gestures[i].vy *= step;
@@ -94,7 +95,7 @@ static duct_status run_passes(const duct_helpinghand *hand, const duct_stroke *s
     duct_stylization mode = hand->options.mode;
     const char *id = duct_stroke_id(stroke);
     size_t count = query->count;
-    positions_of(hand, query, result);
+    positions_of(query, result);
     bool direction = mode == DUCT_STYLIZE_TRAJECTORY || mode == DUCT_STYLIZE_TWO_PASS;
     duct_status status =
         duct_pass_run(hand, direction, id, result->x, result->y, count, result->gestures, trace, error);
@@ -107,10 +108,77 @@ static duct_status run_passes(const duct_helpinghand *hand, const duct_stroke *s
     return status;
 }
 
-static duct_status stylize_line(const duct_helpinghand *hand, duct_stroke *stroke, const duct_samples *query,
-                                duct_json *trace, duct_error *error)
+/* How sharply a sampled line turns from sample to sample, radians: on average, and what a tenth of them
+ * exceed. */
+typedef struct {
+    double mean, high;
+} turning;
+
+static duct_status measure_turning(const duct_allocator *allocator, const duct_samples *samples,
+                                   turning *measured, duct_error *error)
 {
-    duct_result result = {.count = query->count};
+    measured->mean = measured->high = 0;
+    if (samples->count < 3) {
+        return DUCT_OK;
+    }
+    const double *x = samples->channels[DUCT_X], *y = samples->channels[DUCT_Y];
+    size_t inner = samples->count - 2;
+    double *angles = duct_alloc(allocator, inner, sizeof *angles), sum = 0;
+    if (angles == NULL) {
+        return duct_fail_memory(error);
+    }
+    for (size_t i = 0; i < inner; i++) {
+        double ux = x[i + 1] - x[i], uy = y[i + 1] - y[i], vx = x[i + 2] - x[i + 1], vy = y[i + 2] - y[i + 1];
+        angles[i] = fabs(atan2(ux * vy - uy * vx, ux * vx + uy * vy));
+        sum += angles[i];
+    }
+    measured->mean = sum / (double)inner;
+    measured->high = duct_quantile(angles, inner, 0.9);
+    duct_release(allocator, angles);
+    return DUCT_OK;
+}
+
+/* Samples a query at the hand's unit. A vector path may be long and intricate, or tiny, and yet be one
+ * stroke: with the drawing's one unit it would lose its shape. So the unit of a vector stroke shrinks until
+ * its line turns gently from sample to sample; unless that makes it turn more, which is noise and not shape.
+ */
+static duct_status sample_query(const duct_helpinghand *hand, const duct_stroke *stroke, duct_samples *query,
+                                double *unit, duct_error *error)
+{
+    const double gentle = 12 * M_PI / 180, sharp = 35 * M_PI / 180, shrink = 0.7;
+    const int most = 8;
+    duct_status status = duct_samples_make(&hand->allocator, stroke, *unit, query, error);
+    bool recorded = duct_stroke_values(stroke, DUCT_T) != NULL;
+    if (status != DUCT_OK || recorded || !hand->refine || query->count == 0) {
+        return status;
+    }
+    turning now;
+    status = measure_turning(&hand->allocator, query, &now, error);
+    for (int i = 0;
+         status == DUCT_OK && i < most && (query->count < 8 || now.mean > gentle || now.high > sharp); i++) {
+        duct_samples finer;
+        turning then;
+        status = duct_samples_make(&hand->allocator, stroke, *unit * shrink, &finer, error);
+        if (status != DUCT_OK) {
+            break;
+        }
+        status = measure_turning(&hand->allocator, &finer, &then, error);
+        if (status != DUCT_OK || (query->count >= 8 && then.mean >= now.mean)) {
+            duct_samples_free(&hand->allocator, &finer);
+            break;
+        }
+        duct_samples_free(&hand->allocator, query);
+        *query = finer;
+        now = then;
+        *unit *= shrink;
+    }
+    return status;
+}
+
+static duct_status stylize_line(const duct_helpinghand *hand, duct_stroke *stroke, const duct_samples *query,
+                                double unit, duct_json *trace, duct_error *error)
+{
+    duct_result result = {.count = query->count, .unit = unit};
     result.x = duct_alloc(&hand->allocator, 2 * query->count, sizeof *result.x);
     result.gestures = duct_alloc(&hand->allocator, query->count, sizeof *result.gestures);
     duct_status status;
@@ -141,11 +209,12 @@ duct_status duct_helpinghand_stylize(const duct_helpinghand *hand, duct_stroke *
     duct_status status = DUCT_OK;
     if (hand->options.amount > 0 && duct_stroke_size(stroke) > 0) {
         duct_samples query;
-        status = duct_samples_make(&hand->allocator, stroke, hand->unit, &query, error);
+        double unit = hand->unit;
+        status = sample_query(hand, stroke, &query, &unit, error);
         if (status == DUCT_OK && query.count == 0) {
             status = duct_result_apply_dot(hand, stroke, error);
         } else if (status == DUCT_OK) {
-            status = stylize_line(hand, stroke, &query, trace != NULL ? &json : NULL, error);
+            status = stylize_line(hand, stroke, &query, unit, trace != NULL ? &json : NULL, error);
         }
         if (status != DUCT_OK) {
             duct_samples_free(&hand->allocator, &query);

@@ -2,15 +2,10 @@
 #ifndef DUCTUS_LIBRARY_ANNOTATIONS_H
 #define DUCTUS_LIBRARY_ANNOTATIONS_H
 
-#include <stddef.h>
-
 /* The annotations by which a library's file says what it is. */
 #define DUCT_ANNOTATION_NAME "name"
 #define DUCT_ANNOTATION_ARTIST "artist"
 #define DUCT_ANNOTATION_LICENCE "licence"
 #define DUCT_ANNOTATION_UNIT "ductus-unit" /* recording pixels a sampling unit */
-
-/* The median; sorts the values. 0 for none. */
-double duct_median(double *values, size_t count);
 
 #endif

@@ -5,6 +5,7 @@
 #include "base/number.h"
 #include "base/text.h"
 #include "geometry/resample.h"
+#include "geometry/statistics.h"
 #include "library/annotations.h"
 
 #include <math.h>
@@ -17,21 +18,6 @@
 enum { MEDIAN_SAMPLES = 60 };
 
 static const duct_channel pose_channels[] = {DUCT_PRESSURE, DUCT_TILT_X, DUCT_TILT_Y, DUCT_TWIST};
-
-static int compare_numbers(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-double duct_median(double *values, size_t count)
-{
-    if (count == 0) {
-        return 0;
-    }
-    qsort(values, count, sizeof *values, compare_numbers);
-    return count % 2 == 1 ? values[count / 2] : 0.5 * (values[count / 2 - 1] + values[count / 2]);
-}
 
 /* The median arc length of all strokes that have one, in recording pixels; 0 where none has. */
 static duct_status median_length(const duct_allocator *allocator, const duct_drawing *const *recordings,

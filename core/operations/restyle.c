@@ -118,8 +118,11 @@ static const duct_param params[] = {
 
     {"anchors", "Anchors", "Whether the new line is held to the drawing's ends, corners and course.",
      DUCT_PARAM_CHOICE, "", 0, 0, 0, "on", CHOICES(anchor_choices), "Shape", true},
+    {"anchor-gap", "Anchor gap",
+     "No two anchors are farther apart than this, so that long straight lines stay straight.", DUCT_PARAM_INT,
+     "samples", 2, 100000, 1, "24", NO_CHOICE, "Shape", true},
     {"anchor-weight", "Anchor weight", "How firmly the anchors hold the line.", DUCT_PARAM_REAL, "", 0, 1000,
-     0.05, "0.25", NO_CHOICE, "Shape", true},
+     0.05, "1", NO_CHOICE, "Shape", true},
     {"curvature-weight", "Curvature weight", "How firmly the line keeps the hand's curvature at the anchors.",
      DUCT_PARAM_REAL, "", 0, 1000, 0.1, "2", NO_CHOICE, "Shape", true},
     {"curvature-reach", "Curvature reach", "How many samples around an anchor keep the hand's curvature.",
@@ -128,10 +131,14 @@ static const duct_param params[] = {
      "degrees", 1, 180, 5, "60", NO_CHOICE, "Shape", true},
     {"vertex-cost", "Vertex cost",
      "How much the drawing's course must deviate from a straight line before another anchor is set.",
-     DUCT_PARAM_REAL, "square samples", 0, 1e6, 5, "10", NO_CHOICE, "Shape", true},
+     DUCT_PARAM_REAL, "square samples", 0, 1e6, 1, "1", NO_CHOICE, "Shape", true},
 };
 
-static const duct_preset_value paper_values[] = {{"anchors", "paper"}, {"coherent", "false"}};
+static const duct_preset_value paper_values[] = {{"anchors", "paper"},
+                                                 {"coherent", "false"},
+                                                 {"anchor-gap", "200"},
+                                                 {"anchor-weight", "0.25"},
+                                                 {"vertex-cost", "30"}};
 static const duct_preset_value faithful_values[] = {{"mode", "pose"}};
 
 static const duct_preset presets[] = {
@@ -178,6 +185,7 @@ static duct_helpinghand_options options_from(const duct_settings *settings)
     options.shape.anchors = anchor_kinds[duct_settings_choice(settings, "anchors")];
     options.shape.corner = duct_settings_number(settings, "corner-angle") * M_PI / 180;
     options.shape.vertex_cost = duct_settings_number(settings, "vertex-cost");
+    options.shape.longest = duct_settings_size(settings, "anchor-gap");
     options.shape.anchor_weight = duct_settings_number(settings, "anchor-weight");
     options.shape.curvature_weight = duct_settings_number(settings, "curvature-weight");
     options.shape.curvature_reach = duct_settings_size(settings, "curvature-reach");
@@ -292,14 +300,16 @@ static duct_status run_restyle(const duct_context *context, const duct_settings 
     }
     duct_helpinghand_options options = options_from(settings);
     duct_drawing *drawing = NULL;
-    double unit;
+    double unit = 0, scale;
+    bool refine = !duct_settings_auto_number(settings, "scale", &scale);
     status = choose_unit(context, settings, library, input, &unit, error);
     if (status == DUCT_OK) {
         status = duct_drawing_copy(context, input, &drawing, error);
     }
     if (status == DUCT_OK && (options.amount > 0 || tracer->trace != NULL)) {
         duct_helpinghand hand;
-        status = duct_helpinghand_init(duct_allocator_of(context), library, &options, unit, &hand, error);
+        status =
+            duct_helpinghand_init(duct_allocator_of(context), library, &options, unit, refine, &hand, error);
         if (status == DUCT_OK) {
             work arg = {context, &hand, drawing, tracer};
             status = stylize_all(&arg, settings, error);

@@ -6,8 +6,9 @@
 
 #include <ductus/stroke.h>
 
-/* The mark of a nib that follows a stroke's pose, as one clean filled path: the envelope of an ellipse whose size
- * follows pressure, whose aspect follows tilt, and whose angle follows twist (tilt direction where there is none). */
+/* The mark of a nib that follows a stroke's pose, as one clean filled path: the envelope of an ellipse whose
+ * size follows pressure, whose aspect follows tilt, and whose angle follows twist (tilt direction where there
+ * is none). */
 typedef struct duct_outline_options {
     double width;         /* full line width at pressure 0.5, in drawing pixels; 0: the stroke's own, or 1 */
     double thinnest;      /* width at pressure 0, as a share of `width` */
@@ -18,9 +19,10 @@ typedef struct duct_outline_options {
 
 duct_outline_options duct_outline_options_default(void);
 
-/* Appends the outline of `stroke` to `path`: outer contours and holes as closed subpaths that do not cross, to be
- * filled with either fill rule. Without pressure the width is constant. A stroke of one sample gives a dot; an empty
- * one gives nothing. Errors: DUCT_NO_MEMORY, DUCT_UNSUPPORTED (the geometry library failed; the sentence says so). */
+/* Appends the outline of `stroke` to `path`: outer contours and holes as closed subpaths that do not cross,
+ * to be filled with either fill rule. Without pressure the width is constant. A stroke of one sample gives a
+ * dot; an empty one gives nothing. Errors: DUCT_NO_MEMORY, DUCT_UNSUPPORTED (the geometry library failed; the
+ * sentence says so). */
 duct_status duct_outline(const duct_stroke *stroke, const duct_outline_options *options, duct_path *path,
                          duct_error *error);
 

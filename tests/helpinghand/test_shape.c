@@ -14,7 +14,7 @@
 
 enum { COUNT = 60 };
 
-static const duct_shape_options paper = {DUCT_ANCHORS_PAPER, M_PI / 3, 30, 0.25, 2, 2};
+static const duct_shape_options paper = {DUCT_ANCHORS_PAPER, M_PI / 3, 30, 200, 0.25, 2, 2};
 
 typedef struct {
     double x[COUNT], y[COUNT];
@@ -224,6 +224,17 @@ static void corners_and_ends_are_anchors(void **state)
         count += marks[i];
     }
     assert_in_range(count, 5, 12);
+    for (size_t i = 0; i < COUNT; i++) { /* a straight line, with no more than ten samples between anchors */
+        x[i] = (double)i;
+        y[i] = 0;
+    }
+    duct_shape_options close = paper;
+    close.longest = 10;
+    assert_ok(duct_anchors_find(duct_allocator_of(NULL), &close, x, y, COUNT, marks, &error));
+    for (size_t i = 3, last = 3; i < COUNT - 3; i++) {
+        last = marks[i] ? i : last;
+        assert_true(i - last < 10);
+    }
 }
 
 static void tiny_strokes_work(void **state)

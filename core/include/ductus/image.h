@@ -17,9 +17,10 @@ typedef struct duct_image {
     double resolution; /* pixels an inch; 0: the file does not say */
 } duct_image;
 
-/* Reads an image file. Sizes are checked before memory is taken; a truncated file is an error, JPEG included.
- * The caller frees it with duct_image_free(). Errors: DUCT_IO, DUCT_BAD_FORMAT, DUCT_LIMIT, DUCT_NO_MEMORY,
- * DUCT_UNSUPPORTED (the image module is not installed). */
+/* Reads an image file: PNG, TIFF, EXR, JPEG and whatever else OpenImageIO reads; grey, palettes and CMYK
+ * become red, green and blue. Sizes are checked before memory is taken (at most 134 million pixels); a
+ * truncated file is an error, JPEG included. The caller frees it with duct_image_free(). Errors: DUCT_IO,
+ * DUCT_BAD_FORMAT, DUCT_LIMIT, DUCT_NO_MEMORY, DUCT_UNSUPPORTED (the image module is not installed). */
 DUCT_API duct_status duct_image_read(const duct_context *context, const char *path, duct_image *image,
                                      duct_error *error);
 DUCT_API void duct_image_free(const duct_context *context, duct_image *image);

@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "commands.h"
+#include "help.h"
+#include "message.h"
+
+#include <ductus/ductus.h>
+
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+
+/* The command `ductus`. Operations come from the library's tables; the commands below are the rest. */
+
+static const struct {
+    const char *name;
+    int (*run)(int count, char **words);
+    const char *summary;
+} COMMANDS[] = {
+    {"render", cli_render, "Paint drawings with the brush engine."},
+    {"convert", cli_convert, "Write drawings in another format."},
+    {"library", cli_library, "Make and list stroke libraries (hands)."},
+    {"brushes", cli_brushes, "List the brushes."},
+    {"ops", cli_operations, "List the operations and their parameters."},
+};
+enum { COMMAND_COUNT = sizeof COMMANDS / sizeof *COMMANDS, COLUMN = 16 };
+
+static const char *command_at(const void *unused, size_t index)
+{
+    (void)unused;
+    if (index < COMMAND_COUNT) {
+        return COMMANDS[index].name;
+    }
+    const duct_operation *operation = duct_operation_at(index - COMMAND_COUNT);
+    return operation != NULL ? operation->id : NULL;
+}
+
+static int print_help(void)
+{
+    const duct_operation *operation;
+    puts("Usage: ductus COMMAND [OPTION...] IN... -o OUT\n");
+    cli_help_text(
+        "Draws with somebody's hand: strokes go in, strokes of that hand come out. The ending of OUT picks "
+        "the format; - is standard input or output.");
+    puts("\nOperations:");
+    for (size_t i = 0; (operation = duct_operation_at(i)) != NULL; i++) {
+        cli_help_row(operation->id, operation->summary, COLUMN);
+    }
+    puts("\nOther commands:");
+    for (size_t i = 0; i < COMMAND_COUNT; i++) {
+        cli_help_row(COMMANDS[i].name, COMMANDS[i].summary, COLUMN);
+    }
+    puts("");
+    cli_help_text("'ductus COMMAND --help' says more about each; 'ductus --version' prints the version.");
+    return CLI_DONE;
+}
+
+static int run(int count, char **words)
+{
+    static char help[] = "--help";
+    char *helped[2];
+    if (count == 0) {
+        return cli_misused("give a command; 'ductus --help' lists them");
+    }
+    if (strcmp(words[0], "--version") == 0) {
+        printf("ductus %s\n", duct_version());
+        return CLI_DONE;
+    }
+    if (strcmp(words[0], "--help") == 0 || strcmp(words[0], "-h") == 0 || strcmp(words[0], "help") == 0) {
+        if (count == 1 || words[0][0] == '-') {
+            return print_help();
+        }
+        helped[0] = words[1];
+        helped[1] = help;
+        words = helped;
+        count = 2;
+    }
+    for (size_t i = 0; i < COMMAND_COUNT; i++) {
+        if (strcmp(words[0], COMMANDS[i].name) == 0) {
+            return COMMANDS[i].run(count - 1, words + 1);
+        }
+    }
+    const duct_operation *operation;
+    for (size_t i = 0; (operation = duct_operation_at(i)) != NULL; i++) {
+        if (strcmp(words[0], operation->id) == 0) {
+            return cli_operate(operation, count - 1, words + 1);
+        }
+    }
+    const char *kind = words[0][0] == '-' ? "option" : "command";
+    const char *nearest = cli_nearest(words[0], command_at, NULL);
+    return nearest != NULL
+               ? cli_misused("there is no %s '%s'; did you mean '%s'?", kind, words[0], nearest)
+               : cli_misused("there is no %s '%s'; 'ductus --help' lists the commands", kind, words[0]);
+}
+
+int main(int count, char **words)
+{
+    /* A reader that went away is an error of writing, and temporary files are removed as after any other. */
+    signal(SIGPIPE, SIG_IGN);
+    int result = run(count > 0 ? count - 1 : 0, words + 1);
+    if (fflush(stdout) != 0 && result == CLI_DONE) {
+        result = cli_fail("standard output: cannot be written: %s", strerror(errno));
+    }
+    return result;
+}
