@@ -42,6 +42,7 @@ typedef struct duct_helpinghand_options {
     bool coherent;
     duct_pass_options pose, trajectory;
     duct_shape_options shape;
+    bool keep;        /* recorded pose channels stay; only missing ones are filled */
     double amount;    /* 0: the input as it is, 1: the full effect */
     double variation; /* 0: the optimum itself */
     uint64_t seed;

@@ -133,9 +133,21 @@ static double mix_pose(const duct_helpinghand *hand, duct_channel channel, bool 
     return channel == DUCT_PRESSURE ? clamp(mixed, 0, 1) : clamp(mixed, -M_PI / 2, M_PI / 2);
 }
 
-static bool gives_pose(const duct_helpinghand *hand, duct_channel channel)
+/* True where the channel of this stroke is to be synthesized. */
+static bool gives_pose(const duct_helpinghand *hand, const duct_stroke *stroke, duct_channel channel)
 {
-    return hand->options.mode != DUCT_STYLIZE_TRAJECTORY && hand->library->channels[channel] != NULL;
+    return channel >= DUCT_PRESSURE && hand->options.mode != DUCT_STYLIZE_TRAJECTORY &&
+           hand->library->channels[channel] != NULL &&
+           !(hand->options.keep && duct_stroke_values(stroke, channel) != NULL);
+}
+
+bool duct_result_wanted(const duct_helpinghand *hand, const duct_stroke *stroke)
+{
+    bool wanted = hand->options.mode != DUCT_STYLIZE_POSE;
+    for (int c = DUCT_PRESSURE; c < DUCT_CHANNEL_COUNT; c++) {
+        wanted = wanted || gives_pose(hand, stroke, (duct_channel)c);
+    }
+    return wanted;
 }
 
 static double output_value(const duct_helpinghand *hand, const duct_result *result, const duct_stroke *stroke,
@@ -151,7 +163,7 @@ static double output_value(const duct_helpinghand *hand, const duct_result *resu
         double made = position(values, result->count, sample->place) * result->unit;
         return hand->options.amount < 1 ? old + hand->options.amount * (made - old) : made;
     }
-    if (channel == DUCT_T || !gives_pose(hand, channel)) {
+    if (!gives_pose(hand, stroke, channel)) {
         return old;
     }
     size_t i = (size_t)sample->place;
@@ -182,7 +194,7 @@ duct_status duct_result_apply(const duct_helpinghand *hand, const duct_result *r
     for (int c = 0; status == DUCT_OK && c < DUCT_CHANNEL_COUNT; c++) {
         duct_channel channel = (duct_channel)c;
         bool had = duct_stroke_values(stroke, channel) != NULL;
-        if (!had && (channel == DUCT_T || !gives_pose(hand, channel))) {
+        if (!had && !gives_pose(hand, stroke, channel)) {
             continue;
         }
         made[c] = duct_alloc(allocator, count, sizeof(double));
@@ -216,7 +228,7 @@ duct_status duct_result_apply_dot(const duct_helpinghand *hand, duct_stroke *str
     for (int c = 0; c < DUCT_CHANNEL_COUNT; c++) {
         duct_channel channel = (duct_channel)c;
         const double *old = duct_stroke_values(stroke, channel);
-        bool pose = c >= DUCT_PRESSURE && gives_pose(hand, channel);
+        bool pose = gives_pose(hand, stroke, channel);
         if (old == NULL && !pose) {
             continue;
         }

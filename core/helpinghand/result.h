@@ -14,6 +14,9 @@ typedef struct duct_result {
     duct_gesture *gestures;
 } duct_result;
 
+/* False where the options leave nothing of this stroke to synthesize. */
+bool duct_result_wanted(const duct_helpinghand *hand, const duct_stroke *stroke);
+
 /* Between two gestures, at `share` of the way. */
 duct_gesture duct_gesture_between(const duct_gesture *a, const duct_gesture *b, double share);
 

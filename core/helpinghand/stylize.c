@@ -207,7 +207,7 @@ duct_status duct_helpinghand_stylize(const duct_helpinghand *hand, duct_stroke *
         duct_json_array(&json, "passes");
     }
     duct_status status = DUCT_OK;
-    if (hand->options.amount > 0 && duct_stroke_size(stroke) > 0) {
+    if (hand->options.amount > 0 && duct_stroke_size(stroke) > 0 && duct_result_wanted(hand, stroke)) {
         duct_samples query;
         double unit = hand->unit;
         status = sample_query(hand, stroke, &query, &unit, error);

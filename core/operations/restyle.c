@@ -19,6 +19,12 @@ static const duct_choice modes[] = {
     {"two-pass", "Shapes, then pose",
      "Redraw the lines first, then give the new lines their pose: fits best."},
 };
+static const duct_choice channel_rules[] = {
+    {"auto", "As it fits",
+     "A line that stays in place keeps the pose it was recorded with; a redrawn line gets the hand's."},
+    {"missing", "Fill missing", "Keep every channel that the drawing has; add those it lacks."},
+    {"all", "Replace all", "Replace whatever pose the drawing has by the hand's."},
+};
 static const duct_choice feature_kinds[] = {
     {"velocities", "Filtered velocities", "Compares the course of the line before and behind each point."},
 };
@@ -47,6 +53,8 @@ static const duct_param params[] = {
      0, 0, 0, "", NO_CHOICE, "Hand", false},
     {"mode", "Mode", "What the hand changes.", DUCT_PARAM_CHOICE, "", 0, 0, 0, "two-pass", CHOICES(modes),
      "Hand", false},
+    {"channels", "Channels", "What happens to pressure, tilt and twist that the drawing already has.",
+     DUCT_PARAM_CHOICE, "", 0, 0, 0, "auto", CHOICES(channel_rules), "Hand", false},
     {"amount", "Amount", "0 leaves the drawing as it is, 1 is the full effect.", DUCT_PARAM_REAL, "", 0, 1,
      0.05, "1", NO_CHOICE, "Hand", false},
     {"scale", "Scale",
@@ -189,6 +197,8 @@ static duct_helpinghand_options options_from(const duct_settings *settings)
     options.shape.anchor_weight = duct_settings_number(settings, "anchor-weight");
     options.shape.curvature_weight = duct_settings_number(settings, "curvature-weight");
     options.shape.curvature_reach = duct_settings_size(settings, "curvature-reach");
+    size_t rule = duct_settings_choice(settings, "channels");
+    options.keep = rule == 1 || (rule == 0 && options.mode == DUCT_STYLIZE_POSE);
     options.amount = duct_settings_number(settings, "amount");
     options.variation = duct_settings_number(settings, "variation");
     options.seed = duct_settings_seed(settings, "seed");

@@ -199,6 +199,44 @@ static void a_recorded_stroke_keeps_its_samples_in_pose_mode(void **state)
     duct_library_free(hand);
 }
 
+static void recorded_channels_are_kept_unless_asked(void **state)
+{
+    (void)state;
+    duct_library *hand = make_hand(true);
+    duct_drawing *input = make_drawing(2, 0, 0, 1);
+    for (size_t s = 0; s < 2; s++) {
+        duct_stroke *stroke = duct_drawing_edit_stroke(input, s);
+        double *p = duct_stroke_edit(stroke, DUCT_PRESSURE), *t = duct_stroke_edit(stroke, DUCT_T);
+        for (size_t i = 0; i < duct_stroke_size(stroke); i++) {
+            p[i] = 0.9;
+            t[i] = 0.007 * (double)i;
+        }
+    }
+    /* In place: pressure is the pen's own, the channels that it lacked are the hand's. */
+    duct_drawing *kept = run(NULL, hand, input, "mode", "pose", NULL);
+    assert_false(any_difference(input, kept, DUCT_PRESSURE));
+    assert_non_null(duct_stroke_values(duct_drawing_stroke(kept, 0), DUCT_TWIST));
+    duct_drawing *replaced = run(NULL, hand, input, "mode", "pose", "channels", "all", NULL);
+    assert_true(any_difference(input, replaced, DUCT_PRESSURE));
+    /* Redrawn: the old pressure belonged to the old line. */
+    duct_drawing *redrawn = run(NULL, hand, input, NULL);
+    const double *p = duct_stroke_values(duct_drawing_stroke(redrawn, 0), DUCT_PRESSURE);
+    assert_true(fabs(p[duct_stroke_size(duct_drawing_stroke(redrawn, 0)) / 2] - 0.9) > 0.05);
+    duct_drawing *filled = run(NULL, hand, input, "channels", "missing", NULL);
+    p = duct_stroke_values(duct_drawing_stroke(filled, 0), DUCT_PRESSURE);
+    for (size_t i = 0; i < duct_stroke_size(duct_drawing_stroke(filled, 0)); i++) {
+        assert_true(p[i] == 0.9);
+    }
+    /* Nothing is missing any more: nothing changes. */
+    duct_drawing *again = run(NULL, hand, kept, "mode", "pose", NULL);
+    assert_same_bytes(kept, again);
+    duct_drawing *all[] = {input, kept, replaced, redrawn, filled, again};
+    for (size_t i = 0; i < 6; i++) {
+        duct_drawing_free(all[i]);
+    }
+    duct_library_free(hand);
+}
+
 static void amount_zero_is_the_input(void **state)
 {
     (void)state;
@@ -702,6 +740,7 @@ int main(void)
         cmocka_unit_test(all_channels_come_and_stay_in_range),
         cmocka_unit_test(pose_mode_keeps_every_point),
         cmocka_unit_test(a_recorded_stroke_keeps_its_samples_in_pose_mode),
+        cmocka_unit_test(recorded_channels_are_kept_unless_asked),
         cmocka_unit_test(amount_zero_is_the_input),
         cmocka_unit_test(threads_do_not_change_a_byte),
         cmocka_unit_test(exact_search_and_flann_agree),
