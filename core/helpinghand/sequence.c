@@ -143,7 +143,8 @@ typedef struct {
     size_t states; /* a candidate: 2 L_min, at most 64 */
     size_t widest; /* candidates in the widest column */
     double penalty[DUCT_MOST_SHORTEST + 1];
-    leave *leaves; /* of the column before */
+    leave *leaves;   /* of the column before */
+    double cheapest; /* of these */
 } solver;
 
 static size_t column_size(const solver *self, size_t i)
@@ -210,9 +211,13 @@ static void jump(const solver *self, const duct_candidate *before, size_t before
 {
     double best = limit;
     size_t chosen = before_count;
+    /* Distances are not negative beyond rounding: most candidates need no look at where one could jump from.
+     */
+    if (self->cheapest + self->costs->jump - 1e-9 >= best) {
+        return;
+    }
     for (size_t p = 0; p < before_count; p++) {
         double total = self->leaves[p].cost + self->costs->jump;
-        /* Distances are not negative beyond rounding. */
         if (total - 1e-9 >= best) {
             continue;
         }
@@ -232,14 +237,13 @@ static void jump(const solver *self, const duct_candidate *before, size_t before
 
 /* A state can never be better than a longer one (or one that may still repeat) that costs no more: it goes.
  */
-static void drop_dominated(const solver *self, const double *row, uint64_t *alive)
+static void drop_dominated(const double *row, uint64_t *alive)
 {
     double best[2] = {INFINITY, INFINITY};
-    for (size_t state = self->states; state-- > 0;) {
+    for (uint64_t left = *alive; left != 0;) {
+        unsigned state = 63u - (unsigned)__builtin_clzll(left);
         uint64_t bit = (uint64_t)1 << state;
-        if ((*alive & bit) == 0) {
-            continue;
-        }
+        left &= ~bit;
         bool repeated = state % 2 == 1;
         double bound = repeated && best[1] < best[0] ? best[1] : best[0];
         if (row[state] >= bound) {
@@ -262,12 +266,14 @@ static double cheapest_fresh(const double *row, uint64_t alive)
 }
 
 /* Column i from column i - 1. `backs` may be NULL. */
-static void step(const solver *self, size_t i, const line *from, const line *to, back *backs)
+static void step(solver *self, size_t i, const line *from, const line *to, back *backs)
 {
     const duct_candidate *before = column(self, i - 1), *here = column(self, i);
     size_t before_count = column_size(self, i - 1), count = column_size(self, i), first = 0;
+    self->cheapest = INFINITY;
     for (size_t p = 0; p < before_count; p++) {
         self->leaves[p] = best_leave(self, from, p, ~(uint64_t)0);
+        self->cheapest = self->leaves[p].cost < self->cheapest ? self->leaves[p].cost : self->cheapest;
     }
     for (size_t j = 0; j < count; j++) {
         double *row = to->costs + j * self->states;
@@ -293,7 +299,7 @@ static void step(const solver *self, size_t i, const line *from, const line *to,
             }
         }
         jump(self, before, before_count, &here[j], cheapest_fresh(row, alive), row, row_backs, &alive);
-        drop_dominated(self, row, &alive);
+        drop_dominated(row, &alive);
         for (uint64_t left = alive; left != 0; left &= left - 1) {
             row[__builtin_ctzll(left)] += (double)here[j].distance;
         }
@@ -343,7 +349,7 @@ static line line_at(const line *lines, const solver *self, size_t n)
 /* Walks the whole program with the costs of every `stride`-th column kept, then goes back stride by stride,
  * each time walking it again from its kept column with the ways back remembered. With one stride only, the
  * first walk remembers them at once. */
-static void solve(const solver *self, size_t stride, const line *kept, const line *pair, back *backs,
+static void solve(solver *self, size_t stride, const line *kept, const line *pair, back *backs,
                   size_t *chosen)
 {
     size_t count = self->columns->count, row = self->widest * self->states;
