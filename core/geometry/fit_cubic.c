@@ -258,6 +258,8 @@ static void choose_subset(const duct_fit_points *points, size_t first, size_t la
             }
         }
         set->index[set->count] = i;
+        /* Any unit vector: the first round weighs all directions alike. */
+        set->along[set->count] = (duct_vector){1, 0};
         set->x[set->count] = points->x[i];
         set->y[set->count] = points->y[i];
         set->u[set->count++] = (points->s[i] - begin) / length;

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sums up CTest's JUnit reports: count.py STYLE REPORT... prints "N passed, N failed, N skipped".
+"""Sums up: count.py SAME STYLE REPORT... prints "N passed, N failed, N skipped".
 
-STYLE is 0 where the style check passed. A report that is not there, or has no tests, counts as a failure. Exits with 1
+SAME and STYLE are 0 where the comparison of bytes and the style check passed; the rest are CTest's JUnit reports. A report that is not there, or has no tests, counts as a failure. Exits with 1
 on failures.
 """
 
@@ -33,9 +33,9 @@ def count(path):
 
 
 def main():
-    style_failed = int(sys.argv[1] != "0")
-    passed, failed, skipped = 1 - style_failed, style_failed, 0
-    for path in sys.argv[2:]:
+    failed = sum(word != "0" for word in sys.argv[1:3])
+    passed, skipped = 2 - failed, 0
+    for path in sys.argv[3:]:
         p, f, s = count(path)
         passed, failed, skipped = passed + p, failed + f, skipped + s
     print(f"{passed} passed, {failed} failed, {skipped} skipped")
