@@ -34,13 +34,20 @@ static void skip_behind(characters *c, const char *word)
     c->at += character(c, 0) != '\0' ? strlen(word) : 0;
 }
 
-/* A document type with its internal subset. */
+/* A document type with its internal subset, in which brackets may stand in quotes and comments. */
 static void skip_doctype(characters *c)
 {
     int depth = 0;
     for (char here = character(c, 0); here != '\0' && !(here == '>' && depth == 0); here = character(c, 0)) {
+        if (begins(c, "<!--")) {
+            skip_behind(c, "-->");
+            continue;
+        }
         depth += here == '[' ? 1 : here == ']' ? -1 : 0;
         c->at++;
+        if (here == '"' || here == '\'') {
+            skip_behind(c, here == '"' ? "\"" : "'");
+        }
     }
     c->at += character(c, 0) != '\0';
 }

@@ -143,7 +143,7 @@ static void add_style(const duct_svg_shape *shape, const duct_svg_overrides *ove
     duct_text_add(out, " style=\"");
     duct_text_add_xml(out, css.data != NULL ? css.data : "");
     duct_text_add(out, "\"");
-    out->failed = out->failed || css.failed || overrides->css.failed;
+    out->failed = out->failed || css.failed;
     duct_text_free(&css);
 }
 
@@ -172,9 +172,8 @@ static void add_d(const char *d, duct_text *out)
     duct_text_add(out, "\"");
 }
 
-void duct_svg_add_start_tag(const duct_svg_document *document, const char *data, const duct_svg_shape *shape,
-                            const char *d, const duct_svg_overrides *overrides, const char *id_suffix,
-                            duct_text *out)
+void duct_svg_add_start_tag(duct_svg_ids *ids, const char *data, const duct_svg_shape *shape, const char *d,
+                            const duct_svg_overrides *overrides, const char *id_suffix, duct_text *out)
 {
     const duct_svg_tag *tag = shape->node->_private;
     duct_slice raw = {data + tag->begin, tag->name_end - tag->begin};
@@ -193,7 +192,7 @@ void duct_svg_add_start_tag(const duct_svg_document *document, const char *data,
             has_d = true;
         } else if (id_suffix != NULL && duct_slice_is(name, "id")) {
             duct_text_add(out, " id=\"");
-            duct_svg_add_new_id(document, duct_svg_attribute(shape->node, "id"), id_suffix, out);
+            duct_svg_ids_add_new(ids, duct_svg_attribute(shape->node, "id"), id_suffix, out);
             duct_text_add(out, "\"");
         } else if (!duct_svg_is_geometry(shape->kind, name) && !recomputes(name)) {
             duct_text_add_bytes(out, whole.text, whole.size);
@@ -205,6 +204,7 @@ void duct_svg_add_start_tag(const duct_svg_document *document, const char *data,
     if (!has_style) {
         add_style(shape, overrides, out);
     }
+    out->failed = out->failed || overrides->css.failed;
     /* What stands before the bracket stays, be it " /" or a line break. */
     bool close = id_suffix != NULL && !tag->empty;
     duct_text_add(out, close ? "/" : "");

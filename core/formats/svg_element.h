@@ -32,8 +32,7 @@ void duct_svg_override_fill_only(duct_svg_overrides *overrides);
 /* Adds the shape's start tag as that of a <path> with this `d`: its other attributes stay as they are written
  * in `data`, but for those that would make a program compute `d` anew. A copy (`id_suffix` not NULL) gets
  * another id, and is closed at once. */
-void duct_svg_add_start_tag(const duct_svg_document *document, const char *data, const duct_svg_shape *shape,
-                            const char *d, const duct_svg_overrides *overrides, const char *id_suffix,
-                            duct_text *out);
+void duct_svg_add_start_tag(duct_svg_ids *ids, const char *data, const duct_svg_shape *shape, const char *d,
+                            const duct_svg_overrides *overrides, const char *id_suffix, duct_text *out);
 
 #endif

@@ -4,83 +4,7 @@
 #include "base/error.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
-
-/* An id that stands in the new elements: sorted, equal ones are told apart by numbers. */
-typedef struct {
-    const char *id;
-    size_t index;
-} use;
-
-/* Ids may hold no white space; browsers and Inkscape take all else. */
-static void add_id(duct_text *out, const char *id)
-{
-    size_t begin = out->size;
-    duct_text_add_xml(out, id);
-    for (size_t i = begin; i < out->size && !out->failed; i++) {
-        if (duct_is_space(out->data[i])) {
-            out->data[i] = '_';
-        }
-    }
-}
-
-void duct_svg_add_new_id(const duct_svg_document *document, const char *id, const char *suffix,
-                         duct_text *out)
-{
-    duct_text made;
-    duct_text_init(&made, out->allocator);
-    for (int number = 1; number < 10000; number++) {
-        made.size = 0;
-        duct_text_add(&made, id);
-        duct_text_add(&made, suffix);
-        if (number > 1) {
-            duct_text_addf(&made, "-%d", number);
-        }
-        if (made.failed || document == NULL ||
-            duct_svg_document_find(document, duct_slice_of(made.data)) == NULL) {
-            break;
-        }
-    }
-    out->failed = out->failed || made.failed;
-    if (!made.failed) {
-        add_id(out, made.data);
-    }
-    duct_text_free(&made);
-}
-
-static int compare_uses(const void *left, const void *right)
-{
-    const use *a = left, *b = right;
-    int order = strcmp(a->id, b->id);
-    return order != 0 ? order : a->index < b->index ? -1 : a->index > b->index;
-}
-
-/* For each stroke of the list: how many before it have the same id. */
-static duct_status count_repeats(const duct_svg_new_strokes *strokes, const duct_allocator *allocator,
-                                 size_t **repeats, duct_error *error)
-{
-    use *uses = duct_alloc(allocator, strokes->count, sizeof *uses);
-    size_t *made = duct_alloc(allocator, strokes->count, sizeof *made);
-    if (uses == NULL || made == NULL) {
-        duct_release(allocator, uses);
-        duct_release(allocator, made);
-        return duct_fail_memory(error);
-    }
-    for (size_t i = 0; i < strokes->count; i++) {
-        uses[i] = (use){duct_stroke_id(duct_drawing_stroke(strokes->drawing, strokes->indices[i])), i};
-    }
-    if (strokes->count > 1) {
-        qsort(uses, strokes->count, sizeof *uses, compare_uses);
-    }
-    for (size_t i = 1; i < strokes->count; i++) {
-        bool same = strcmp(uses[i].id, uses[i - 1].id) == 0;
-        made[uses[i].index] = same ? made[uses[i - 1].index] + 1 : 0;
-    }
-    duct_release(allocator, uses);
-    *repeats = made;
-    return DUCT_OK;
-}
 
 static void add_style(const duct_stroke *stroke, bool outline, double scale, duct_text *out)
 {
@@ -101,8 +25,8 @@ static void add_style(const duct_stroke *stroke, bool outline, double scale, duc
     duct_text_add(out, "\"");
 }
 
-static duct_status add_stroke(const duct_svg_new_strokes *strokes, const duct_stroke *stroke, size_t repeat,
-                              duct_text *out, duct_error *error)
+static duct_status add_stroke(const duct_svg_new_strokes *strokes, const duct_stroke *stroke, duct_text *out,
+                              duct_error *error)
 {
     bool outline = duct_svg_shows_outline(stroke, strokes->options);
     duct_status status = DUCT_OK;
@@ -119,12 +43,8 @@ static duct_status add_stroke(const duct_svg_new_strokes *strokes, const duct_st
     duct_text_add(out, "path");
     const char *id = duct_stroke_id(stroke);
     if (*id != '\0') {
-        char suffix[32] = "";
-        if (repeat > 0) {
-            snprintf(suffix, sizeof suffix, "-%zu", repeat + 1);
-        }
         duct_text_add(out, " id=\"");
-        duct_svg_add_new_id(strokes->document, id, suffix, out);
+        duct_svg_ids_add_new(strokes->ids, id, "", out);
         duct_text_add(out, "\"");
     }
     add_style(stroke, outline, duct_affine_scale(strokes->inverse), out);
@@ -153,90 +73,59 @@ static size_t common_groups(const char *left, const char *right)
     }
 }
 
+/* How many groups a path opens: a name that is empty is a group without id, but nothing behind the last '/'
+ * is none. */
 static size_t group_depth(const char *group, size_t size)
 {
     size_t depth = size > 0 ? 1 : 0;
-    for (size_t i = 0; i < size; i++) {
+    for (size_t i = 0; i + 1 < size; i++) {
         depth += group[i] == '/';
     }
     return depth;
 }
 
-/* Closes the groups of `old` and opens those of `group`, as far as they differ. A group gets an id where it
- * is met first; where its strokes are not all together, the others have none, for an id may stand once only.
- */
-static void change_group(const duct_svg_new_strokes *strokes, const char *old, const char *group, bool first,
+/* Closes the groups of `old` and opens those of `group`, as far as they differ. */
+static void change_group(const duct_svg_new_strokes *strokes, const char *old, const char *group,
                          duct_text *out)
 {
     size_t common = common_groups(old, group);
     for (size_t depth = group_depth(old, strlen(old)); depth > group_depth(old, common); depth--) {
         duct_text_addf(out, "</%sg>\n", strokes->prefix);
     }
-    const char *name = group + common + (group[common] == '/');
+    const char *name = group + common + (common > 0 && group[common] == '/');
     while (*name != '\0') {
         size_t size = strcspn(name, "/");
         duct_text_addf(out, "<%sg", strokes->prefix);
-        if (first && size > 0) {
+        if (size > 0) {
             duct_text id;
             duct_text_init(&id, out->allocator);
             duct_text_add_bytes(&id, name, size);
             out->failed = out->failed || id.failed;
             duct_text_add(out, " id=\"");
-            duct_svg_add_new_id(strokes->document, id.data != NULL ? id.data : "", "", out);
+            duct_svg_ids_add_new(strokes->ids, id.data != NULL ? id.data : "", "", out);
             duct_text_add(out, "\"");
             duct_text_free(&id);
         }
         duct_text_add(out, ">\n");
-        name += size + (name[size] == '/');
+        name += size;
+        name += *name == '/';
     }
-}
-
-/* True where no stroke of the list before `index` is in this group or within it. */
-static duct_status first_uses(const duct_svg_new_strokes *strokes, const duct_allocator *allocator,
-                              bool **first, duct_error *error)
-{
-    use *uses = duct_alloc(allocator, strokes->count, sizeof *uses);
-    bool *made = duct_alloc(allocator, strokes->count, sizeof *made);
-    if (uses == NULL || made == NULL) {
-        duct_release(allocator, uses);
-        duct_release(allocator, made);
-        return duct_fail_memory(error);
-    }
-    for (size_t i = 0; i < strokes->count; i++) {
-        uses[i] = (use){duct_stroke_group(duct_drawing_stroke(strokes->drawing, strokes->indices[i])), i};
-    }
-    if (strokes->count > 1) {
-        qsort(uses, strokes->count, sizeof *uses, compare_uses);
-    }
-    for (size_t i = 0; i < strokes->count; i++) {
-        made[uses[i].index] = i == 0 || strcmp(uses[i].id, uses[i - 1].id) != 0;
-    }
-    duct_release(allocator, uses);
-    *first = made;
-    return DUCT_OK;
 }
 
 duct_status duct_svg_write_strokes(const duct_svg_new_strokes *strokes, duct_text *out, duct_error *error)
 {
-    size_t *repeats = NULL;
-    bool *first = NULL;
-    duct_status status = count_repeats(strokes, out->allocator, &repeats, error);
-    if (status == DUCT_OK) {
-        status = first_uses(strokes, out->allocator, &first, error);
-    }
+    duct_status status = DUCT_OK;
     const char *group = "";
     for (size_t i = 0; i < strokes->count && status == DUCT_OK; i++) {
         const duct_stroke *stroke = duct_drawing_stroke(strokes->drawing, strokes->indices[i]);
         if (duct_stroke_size(stroke) == 0) {
             continue;
         }
-        change_group(strokes, group, duct_stroke_group(stroke), first[i], out);
+        change_group(strokes, group, duct_stroke_group(stroke), out);
         group = duct_stroke_group(stroke);
-        status = add_stroke(strokes, stroke, repeats[i], out, error);
+        status = add_stroke(strokes, stroke, out, error);
     }
-    change_group(strokes, group, "", false, out);
-    duct_release(out->allocator, repeats);
-    duct_release(out->allocator, first);
+    change_group(strokes, group, "", out);
     return status;
 }
 
@@ -322,11 +211,14 @@ duct_status duct_svg_write_fresh(const duct_drawing *drawing, const duct_format_
     for (size_t i = 0; i < count; i++) {
         indices[i] = i;
     }
-    duct_svg_new_strokes strokes = {drawing, indices, count, options, duct_affine_identity(), "", NULL};
+    duct_svg_ids ids;
+    duct_svg_ids_init(&ids, out->allocator);
+    duct_svg_new_strokes strokes = {drawing, indices, count, options, duct_affine_identity(), "", &ids};
     add_root(drawing, out);
     add_annotations(drawing, out);
     duct_status status = duct_svg_write_strokes(&strokes, out, error);
     duct_text_add(out, "</svg>\n");
     duct_release(out->allocator, indices);
+    duct_svg_ids_free(&ids);
     return status;
 }

@@ -5,6 +5,7 @@
 #include "drawing/drawing_private.h"
 #include "formats/format_private.h"
 #include "formats/svg_document.h"
+#include "formats/svg_ids.h"
 #include "geometry/bezier.h"
 
 /* How the parts of the SVG format fit together:
@@ -66,14 +67,10 @@ typedef struct duct_svg_new_strokes {
     const size_t *indices; /* of the strokes, in order */
     size_t count;
     const duct_format_options *options;
-    duct_affine inverse;               /* from drawing pixels to the coordinates around the new elements */
-    const char *prefix;                /* "" or "svg:" */
-    const duct_svg_document *document; /* whose ids are taken; or NULL */
+    duct_affine inverse; /* from drawing pixels to the coordinates around the new elements */
+    const char *prefix;  /* "" or "svg:" */
+    duct_svg_ids *ids;   /* that are taken */
 } duct_svg_new_strokes;
 duct_status duct_svg_write_strokes(const duct_svg_new_strokes *strokes, duct_text *out, duct_error *error);
-
-/* Adds an id that no element of the document has: `id` and `suffix`, with a number behind it where needed. */
-void duct_svg_add_new_id(const duct_svg_document *document, const char *id, const char *suffix,
-                         duct_text *out);
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "formats/svg_document.h"
 
+#include <math.h>
 #include <string.h>
 
 duct_svg_style duct_svg_style_initial(void)
@@ -143,7 +144,7 @@ static duct_stroke_style style_of(const duct_svg_paint *paint, double opacity, d
 duct_stroke_style duct_svg_stroke_style(const duct_svg_style *style, double scale)
 {
     double width = style->non_scaling ? style->stroke_width : style->stroke_width * scale;
-    return style_of(&style->stroke, style->stroke_opacity * style->opacity, width);
+    return style_of(&style->stroke, style->stroke_opacity * style->opacity, fmin(width, 1e9));
 }
 
 duct_stroke_style duct_svg_fill_style(const duct_svg_style *style)

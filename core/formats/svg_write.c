@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "formats/svg_element.h"
 #include "formats/svg_tags.h"
+#include "formats/svg_transform.h"
 #include "geometry/fit.h"
 #include "outline/outline.h"
 
@@ -23,6 +24,7 @@ typedef struct {
     size_t *fresh; /* strokes that have no part */
     size_t fresh_count;
     duct_svg_document document;
+    duct_svg_ids ids;
     const char *data; /* the text that is spliced into */
     size_t size, cursor;
     duct_svg_tag *tags;
@@ -46,7 +48,7 @@ bool duct_svg_shows_outline(const duct_stroke *stroke, const duct_format_options
  * of nothing between its points, and would round off a polyline's blunt corners. */
 static void add_between(duct_points *points, double x0, double y0, double x1, double y1, double tolerance)
 {
-    double length = hypot(x1 - x0, y1 - y0), nearest = 16 * tolerance, from_end = length / 2;
+    double length = hypot(x1 - x0, y1 - y0), nearest = 4 * tolerance, from_end = length / 2;
     double along = nearest;
     for (; along < length / 2; along *= 2) {
         double t = along / length;
@@ -257,9 +259,9 @@ static void write_tag(writer *w, const element *e, const char *d, const duct_svg
 {
     const duct_svg_tag *tag = e->shape->node->_private;
     copy_until(w, tag->begin, tag->end);
-    duct_svg_add_start_tag(&w->document, w->data, e->shape, d, overrides, NULL, w->out);
-    if (tag->empty) {
-        return;
+    duct_svg_add_start_tag(&w->ids, w->data, e->shape, d, overrides, NULL, w->out);
+    if (tag->empty || e->shape->kind == DUCT_SVG_PATH) {
+        return; /* there is no end tag, or it stays */
     }
     copy_until(w, tag->close_begin, tag->close_end);
     duct_slice close = {w->data + tag->close_begin, tag->close_end - tag->close_begin};
@@ -290,7 +292,7 @@ static void write_outline(writer *w, const element *e, const char *d, bool behin
     if (behind) {
         duct_slice indent = indentation(w, e->shape->node->_private);
         duct_text_add_bytes(w->out, indent.text, indent.size);
-        duct_svg_add_start_tag(&w->document, w->data, e->shape, d, &overrides, "-line", w->out);
+        duct_svg_add_start_tag(&w->ids, w->data, e->shape, d, &overrides, "-line", w->out);
     } else {
         write_tag(w, e, d, &overrides);
     }
@@ -368,9 +370,11 @@ static duct_status write_new(writer *w, duct_error *error)
         memcpy(prefix, name.text, length);
         prefix[length] = '\0';
     }
-    duct_svg_new_strokes strokes = {
-        w->drawing, w->fresh, w->fresh_count, &w->options, duct_affine_identity(), prefix, &w->document};
-    duct_affine_invert(duct_svg_root_map(&w->document), &strokes.inverse);
+    duct_svg_new_strokes strokes = {w->drawing, w->fresh, w->fresh_count, &w->options, duct_affine_identity(),
+                                    prefix,     &w->ids};
+    duct_affine transform = duct_affine_identity();
+    duct_svg_transform(duct_slice_of(duct_svg_attribute(w->document.root, "transform")), &transform);
+    duct_affine_invert(duct_affine_multiply(transform, duct_svg_root_map(&w->document)), &strokes.inverse);
     if (root->empty) {
         copy_until(w, root->end - 2, root->end);
         duct_text_add(w->out, ">\n");
@@ -434,7 +438,14 @@ static duct_status write_changed(writer *w, duct_error *error)
     if (status != DUCT_OK) {
         return status;
     }
-    status = find_tags(w, error);
+    duct_svg_ids_init(&w->ids, w->allocator);
+    for (xmlNode *node = w->document.root; node != NULL; node = duct_svg_next_element(node)) {
+        const char *id = duct_svg_attribute(node, "id");
+        if (id != NULL) {
+            duct_svg_ids_take(&w->ids, id);
+        }
+    }
+    status = w->ids.failed ? duct_fail_memory(error) : find_tags(w, error);
     if (status == DUCT_OK) {
         status = duct_svg_walk(&w->document, visit, w, error);
     }
@@ -442,6 +453,7 @@ static duct_status write_changed(writer *w, duct_error *error)
         status = write_new(w, error);
     }
     duct_release(w->allocator, w->tags);
+    duct_svg_ids_free(&w->ids);
     xmlFree(w->dump);
     duct_svg_document_close(&w->document);
     return status;
