@@ -61,19 +61,19 @@ class CountTest(ProgramTest):
         skipped = '<testcase name="c" status="notrun"><skipped message="SKIP_RETURN_CODE=77"/></testcase></testsuite>'
         good = self.file("good.xml", head + skipped)
         bad = self.file("bad.xml", head + '<testcase name="c" status="fail"/></testsuite>')
-        self.assertEqual(self.count("0", good), (0, "3 passed, 0 failed, 1 skipped"))
-        self.assertEqual(self.count("0", good, bad), (1, "5 passed, 1 failed, 1 skipped"))
-        self.assertEqual(self.count("1", good), (1, "2 passed, 1 failed, 1 skipped"))
+        self.assertEqual(self.count("0", "0", good), (0, "4 passed, 0 failed, 1 skipped"))
+        self.assertEqual(self.count("0", "0", good, bad), (1, "6 passed, 1 failed, 1 skipped"))
+        self.assertEqual(self.count("1", "0", good), (1, "3 passed, 1 failed, 1 skipped"))
 
     def test_a_program_that_was_not_built_is_a_failure(self):
         missing = '<testcase status="notrun"><skipped message="Unable to find executable"/></testcase>'
         report = self.file("missing.xml", f"<testsuite>{missing}</testsuite>")
-        self.assertEqual(self.count("0", report), (1, "1 passed, 1 failed, 0 skipped"))
+        self.assertEqual(self.count("0", "0", report), (1, "2 passed, 1 failed, 0 skipped"))
 
     def test_a_report_that_is_missing_or_empty_is_a_failure(self):
         empty = self.file("empty.xml", "<testsuite/>")
-        self.assertEqual(self.count("0", empty), (1, "1 passed, 1 failed, 0 skipped"))
-        self.assertEqual(self.count("0", pathlib.Path("none.xml")), (1, "1 passed, 1 failed, 0 skipped"))
+        self.assertEqual(self.count("0", "0", empty), (1, "2 passed, 1 failed, 0 skipped"))
+        self.assertEqual(self.count("0", "0", pathlib.Path("none.xml")), (1, "2 passed, 1 failed, 0 skipped"))
 
 
 class DrawingsTest(ProgramTest):
