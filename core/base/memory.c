@@ -38,15 +38,20 @@ const duct_allocator *duct_allocator_of(const duct_context *context)
     return context != NULL && context->allocator != NULL ? context->allocator : &system_allocator;
 }
 
-void *duct_alloc(const duct_allocator *allocator, size_t count, size_t size)
+void *duct_alloc_raw(const duct_allocator *allocator, size_t count, size_t size)
 {
     if (size != 0 && count > SIZE_MAX / 2 / size) {
         return NULL;
     }
     size_t bytes = count * size;
-    void *memory = allocator->allocate(allocator->user, bytes > 0 ? bytes : 1);
+    return allocator->allocate(allocator->user, bytes > 0 ? bytes : 1);
+}
+
+void *duct_alloc(const duct_allocator *allocator, size_t count, size_t size)
+{
+    void *memory = duct_alloc_raw(allocator, count, size);
     if (memory != NULL) {
-        memset(memory, 0, bytes);
+        memset(memory, 0, count * size);
     }
     return memory;
 }

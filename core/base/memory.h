@@ -11,6 +11,9 @@ const duct_allocator *duct_allocator_of(const duct_context *context);
  * 0 gives memory that may be released and not touched. */
 void *duct_alloc(const duct_allocator *allocator, size_t count, size_t size);
 
+/* The same without zeroing, for large memory of which only what was written is read. */
+void *duct_alloc_raw(const duct_allocator *allocator, size_t count, size_t size);
+
 /* Grows or shrinks; the new part is not zeroed. NULL leaves the old memory as it was. */
 void *duct_realloc(const duct_allocator *allocator, void *memory, size_t count, size_t size);
 

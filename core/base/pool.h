@@ -19,6 +19,10 @@ size_t duct_pool_workers(const duct_context *context, size_t count);
 duct_status duct_pool_run(const duct_context *context, size_t count, double begin, double end,
                           duct_pool_task task, void *arg, duct_error *error);
 
+/* Asks, from inside a task that takes long, whether the user has cancelled; on the calling thread it also
+ * lets him. A task that gets DUCT_CANCELLED frees what it holds and returns it. Outside a pool: DUCT_OK. */
+duct_status duct_pool_check(duct_error *error);
+
 /* Reports progress outside a pool; DUCT_CANCELLED where the user wants to stop. */
 duct_status duct_progress_report(const duct_context *context, double fraction, duct_error *error);
 

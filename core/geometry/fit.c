@@ -27,7 +27,7 @@ static void copy_points(const double *x, const double *y, size_t count, double a
             continue;
         }
         last = i;
-        if (kept == 0 || hypot(x[i] - points->x[kept - 1], y[i] - points->y[kept - 1]) > apart) {
+        if (kept == 0 || duct_length(x[i] - points->x[kept - 1], y[i] - points->y[kept - 1]) > apart) {
             points->x[kept] = x[i];
             points->y[kept++] = y[i];
         }
@@ -38,7 +38,7 @@ static void copy_points(const double *x, const double *y, size_t count, double a
         points->y[kept - 1] = y[last];
     }
     while (points->closed && kept > 1 &&
-           hypot(points->x[kept - 1] - points->x[0], points->y[kept - 1] - points->y[0]) <= apart) {
+           duct_length(points->x[kept - 1] - points->x[0], points->y[kept - 1] - points->y[0]) <= apart) {
         kept--;
     }
     points->count = kept;
@@ -49,7 +49,7 @@ static void measure(duct_fit_points *points)
     points->s[0] = 0;
     for (size_t i = 1; i < points->count; i++) {
         points->s[i] =
-            points->s[i - 1] + hypot(points->x[i] - points->x[i - 1], points->y[i] - points->y[i - 1]);
+            points->s[i - 1] + duct_length(points->x[i] - points->x[i - 1], points->y[i] - points->y[i - 1]);
     }
 }
 
@@ -99,22 +99,26 @@ static double turn_at(const duct_fit_points *points, size_t i, bool corner)
 }
 
 /* An arc over the chord d that turns by an angle at its ends rises by about d angle / 8; twice that is
- * allowed. */
+ * allowed. An edge far longer than those beside it is no such chord but straight. */
 static void measure_sags(duct_fit_points *points, const size_t *corners, size_t corner_count)
 {
-    size_t next = 0;
+    const double *s = points->s;
+    size_t next = 0, last = points->count - 1;
     double turn_before = 0;
-    for (size_t i = 0; i < points->count; i++) {
+    for (size_t i = 0; i <= last; i++) {
         bool corner = next < corner_count && corners[next] == i;
         next += corner;
-        corner = corner || (points->closed && i + 1 == points->count && corner_count > 0 && corners[0] == 0);
+        corner = corner || (points->closed && i == last && corner_count > 0 && corners[0] == 0);
         double turn = turn_at(points, i, corner);
         if (i > 0) {
-            points->sag[i - 1] = 0.25 * (points->s[i] - points->s[i - 1]) * fmax(turn, turn_before);
+            double chord = s[i] - s[i - 1];
+            double before = i > 1 ? s[i - 1] - s[i - 2] : points->closed ? s[last] - s[last - 1] : chord;
+            double after = i < last ? s[i + 1] - s[i] : points->closed ? s[1] : chord;
+            points->sag[i - 1] = fmin(chord, 2 * fmin(before, after)) * (turn + turn_before) / 16;
         }
         turn_before = turn;
     }
-    points->sag[points->count - 1] = 0;
+    points->sag[last] = 0;
 }
 
 static bool straight(const duct_fit_points *points, size_t first, size_t last)
@@ -137,7 +141,7 @@ static bool straight(const duct_fit_points *points, size_t first, size_t last)
 static bool flat(const duct_cubic *cubic, double tolerance)
 {
     const duct_vector *p = cubic->p;
-    double dx = p[3].x - p[0].x, dy = p[3].y - p[0].y, length = hypot(dx, dy);
+    double dx = p[3].x - p[0].x, dy = p[3].y - p[0].y, length = duct_length(dx, dy);
     if (length <= 0) {
         return false;
     }
@@ -196,7 +200,7 @@ static bool try_piece(const run *r, size_t first, size_t last, piece *found)
 static piece longest_piece(const run *r, size_t first, size_t guess)
 {
     size_t good = first + 1, bad = r->last + 1;
-    piece found = {first, good, duct_fit_guess(r->points, first, good, start_of(r, first), end_of(r, good))};
+    piece found;
     size_t last = guess < r->last - first ? first + guess : r->last;
     while (last > good && last < bad) {
         if (try_piece(r, first, last, &found)) {
@@ -215,6 +219,9 @@ static piece longest_piece(const run *r, size_t first, size_t guess)
         } else {
             bad = middle;
         }
+    }
+    if (good == first + 1 && !try_piece(r, first, good, &found)) {
+        found = (piece){first, good, duct_fit_straight(r->points, first, good)};
     }
     return found;
 }
@@ -342,7 +349,7 @@ static double spacing(const double *x, const double *y, size_t count, double tol
     double length = 0;
     for (size_t i = 1; i < count; i++) {
         if (usable(x[i], y[i]) && usable(x[i - 1], y[i - 1])) {
-            length += hypot(x[i] - x[i - 1], y[i] - y[i - 1]);
+            length += duct_length(x[i] - x[i - 1], y[i] - y[i - 1]);
         }
     }
     return (length < 0.2 * tolerance * (double)count ? 0.25 : 1e-3) * tolerance;

@@ -138,7 +138,7 @@ static void add_side(const duct_fit_points *points, size_t index, int side, doub
         if (i == before || (k > least && dx * dx + dy * dy > width * width)) {
             return;
         }
-        s += side * hypot(points->x[i] - points->x[before], points->y[i] - points->y[before]);
+        s += side * duct_length(points->x[i] - points->x[before], points->y[i] - points->y[before]);
         double power = 1;
         for (size_t n = 0; n <= 6; n++, power *= s) {
             sums->power[n] += power / (s * s);
@@ -187,6 +187,6 @@ duct_vector duct_fit_tangent(const duct_fit_points *points, size_t index, int si
     while (unknowns > 0 && !first_unknown(&sums, unknowns, &b)) {
         unknowns--;
     }
-    double norm = hypot(b.x, b.y);
+    double norm = duct_length(b.x, b.y);
     return norm > 0 ? (duct_vector){b.x / norm, b.y / norm} : (duct_vector){1, 0};
 }

@@ -13,7 +13,7 @@
  * takes Schneider's hundreds, and a stretch of one cubic is found to be one. And an end that is a corner has
  * no prescribed direction: its control point is free in the plane. */
 
-enum { SUBSET = 64, MAX_ITERATIONS = 14 };
+enum { SUBSET = 48, MAX_ITERATIONS = 14 };
 
 /* Positions and parameters of the samples that take part in the least squares: all, or SUBSET of them. */
 typedef struct {
@@ -59,7 +59,8 @@ static double approach(const polynomial *q, double x, double y, double *u)
     if (bend <= 0) {
         return before;
     }
-    t = fmin(fmax(t - slope / bend, 0), 1);
+    t -= slope / bend;
+    t = t > 0 ? t < 1 ? t : 1 : 0;
     ex = ((q->a.x * t + q->b.x) * t + q->c.x) * t + q->d.x - x;
     ey = ((q->a.y * t + q->b.y) * t + q->c.y) * t + q->d.y - y;
     double after = ex * ex + ey * ey;
@@ -80,12 +81,11 @@ static double dot(duct_vector a, duct_vector b)
     return a.x * b.x + a.y * b.y;
 }
 
-duct_cubic duct_fit_guess(const duct_fit_points *points, size_t first, size_t last, duct_fit_end start,
-                          duct_fit_end end)
+duct_cubic duct_fit_straight(const duct_fit_points *points, size_t first, size_t last)
 {
     duct_vector a = {points->x[first], points->y[first]}, b = {points->x[last], points->y[last]};
-    double third = hypot(b.x - a.x, b.y - a.y) / 3;
-    return (duct_cubic){{a, along(a, start.direction, third), along(b, end.direction, third), b}};
+    duct_vector chord = {b.x - a.x, b.y - a.y};
+    return (duct_cubic){{a, along(a, chord, 1. / 3), along(b, chord, -1. / 3), b}};
 }
 
 /* The normal equations for the two arms (inner control point less end) in the plane: unknowns x1, y1, x2, y2.
@@ -214,7 +214,7 @@ static bool solve(const normal_equations *full, duct_fit_end start, duct_fit_end
  */
 static bool sane(duct_vector arm, duct_vector direction, double length)
 {
-    double norm = hypot(arm.x, arm.y);
+    double norm = duct_length(arm.x, arm.y);
     return norm >= 1e-3 * length && norm <= length && dot(arm, direction) >= 0.5 * norm;
 }
 
@@ -273,12 +273,12 @@ static double reparameterise(const duct_cubic *cubic, subset *set)
     double worst = 0;
     for (size_t i = 1; i + 1 < set->count; i++) {
         double distance = approach(&q, set->x[i], set->y[i], &set->u[i]);
-        double u = fmax(set->u[i], set->u[i - 1]);
+        double u = set->u[i] > set->u[i - 1] ? set->u[i] : set->u[i - 1];
         set->u[i] = u;
         double dx = (3 * q.a.x * u + 2 * q.b.x) * u + q.c.x, dy = (3 * q.a.y * u + 2 * q.b.y) * u + q.c.y;
         double norm = sqrt(dx * dx + dy * dy);
         set->along[i] = norm > 0 ? (duct_vector){dx / norm, dy / norm} : (duct_vector){0, 0};
-        worst = fmax(worst, distance);
+        worst = distance > worst ? distance : worst;
     }
     return worst;
 }

@@ -2,6 +2,7 @@
 #ifndef DUCTUS_GEOMETRY_FIT_PRIVATE_H
 #define DUCTUS_GEOMETRY_FIT_PRIVATE_H
 
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -22,6 +23,12 @@ typedef struct duct_fit_points {
 typedef struct duct_vector {
     double x, y;
 } duct_vector;
+
+/* Faster than hypot() and the same on every machine; the points are small enough for squares. */
+static inline double duct_length(double x, double y)
+{
+    return sqrt(x * x + y * y);
+}
 
 typedef struct duct_cubic {
     duct_vector p[4];
@@ -46,8 +53,7 @@ duct_vector duct_fit_tangent(const duct_fit_points *points, size_t index, int si
 bool duct_fit_cubic(const duct_fit_points *points, size_t first, size_t last, duct_fit_end start,
                     duct_fit_end end, double *u, duct_cubic *cubic);
 
-/* A cubic with the given end directions and no claim to any tolerance. */
-duct_cubic duct_fit_guess(const duct_fit_points *points, size_t first, size_t last, duct_fit_end start,
-                          duct_fit_end end);
+/* The straight line between two points, as a cubic. */
+duct_cubic duct_fit_straight(const duct_fit_points *points, size_t first, size_t last);
 
 #endif

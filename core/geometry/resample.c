@@ -56,13 +56,15 @@ double duct_stroke_length(const duct_stroke *stroke)
  * apart. */
 typedef struct {
     size_t count;
-    double *at; /* arc length */
+    double *at;     /* arc length */
+    double *own_at; /* of the stroke's own points */
     double *channels[DUCT_CHANNEL_COUNT];
 } dense;
 
 static void dense_free(const duct_allocator *allocator, dense *points)
 {
     duct_release(allocator, points->at);
+    duct_release(allocator, points->own_at);
     for (int c = 0; c < DUCT_CHANNEL_COUNT; c++) {
         duct_release(allocator, points->channels[c]);
     }
@@ -99,7 +101,8 @@ static duct_status make_dense(const duct_allocator *allocator, const duct_stroke
     }
     memset(points, 0, sizeof *points);
     points->at = duct_alloc(allocator, count, sizeof(double));
-    bool good = points->at != NULL;
+    points->own_at = duct_alloc(allocator, size, sizeof(double));
+    bool good = points->at != NULL && points->own_at != NULL;
     for (int c = 0; c < DUCT_CHANNEL_COUNT; c++) {
         if (duct_stroke_values(stroke, (duct_channel)c) != NULL) {
             points->channels[c] = duct_alloc(allocator, count, sizeof(double));
@@ -135,6 +138,11 @@ static duct_status make_dense(const duct_allocator *allocator, const duct_stroke
     }
     points->count = count;
     duct_arc_lengths(points->channels[DUCT_X], points->channels[DUCT_Y], count, points->at);
+    size_t place = 0;
+    for (size_t i = 0; i < size; i++) {
+        points->own_at[i] = points->at[place];
+        place += i < spans ? pieces_of(x, y, i, (i + 1) % size, unit, smooth) : 0;
+    }
     return DUCT_OK;
 }
 
@@ -178,6 +186,8 @@ duct_status duct_samples_make(const duct_allocator *allocator, const duct_stroke
             to[i] = duct_interpolate(points.at, points.channels[c], points.count, where, &hint);
         }
     }
+    samples->at = points.own_at;
+    points.own_at = NULL;
     dense_free(allocator, &points);
     return DUCT_OK;
 }
@@ -187,5 +197,6 @@ void duct_samples_free(const duct_allocator *allocator, duct_samples *samples)
     for (int c = 0; c < DUCT_CHANNEL_COUNT; c++) {
         duct_release(allocator, samples->channels[c]);
     }
+    duct_release(allocator, samples->at);
     memset(samples, 0, sizeof *samples);
 }

@@ -23,6 +23,7 @@ typedef struct duct_samples {
     size_t count;
     double step;
     double *channels[DUCT_CHANNEL_COUNT]; /* NULL where the stroke lacks it; X and Y in drawing pixels */
+    double *at; /* the arc length at each of the stroke's own samples, along the line that was sampled */
 } duct_samples;
 
 /* Samples a stroke with a step near `unit` drawing pixels, both ends included; a closed stroke ends where it

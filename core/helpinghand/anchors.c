@@ -37,10 +37,14 @@ static void mark_angles(const duct_shape_options *options, size_t count, const d
 }
 
 duct_status duct_anchors_find(const duct_allocator *allocator, const duct_shape_options *options,
-                              const double *x, const double *y, size_t count, bool *marks, duct_error *error)
+                              const double *x, const double *y, size_t count, bool *marks, bool *corners,
+                              duct_error *error)
 {
     for (size_t i = 0; i < count; i++) {
         marks[i] = false;
+        if (corners != NULL) {
+            corners[i] = false;
+        }
     }
     if (count < 3) {
         for (size_t i = 0; i < count; i++) {
@@ -58,6 +62,9 @@ duct_status duct_anchors_find(const duct_allocator *allocator, const duct_shape_
         angles[i] = turning(x, y, count, i);
     }
     mark_angles(options, count, angles, marks);
+    if (corners != NULL) {
+        mark_angles(options, count, angles, corners);
+    }
     duct_release(allocator, angles);
     duct_status status = DUCT_OK;
     size_t from = inside;

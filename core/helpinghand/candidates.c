@@ -2,6 +2,7 @@
 #include "helpinghand/candidates.h"
 
 #include "base/error.h"
+#include "base/pool.h"
 #include "library/library_private.h"
 
 #include <ductus/random.h>
@@ -11,9 +12,12 @@
 
 enum { PURPOSE_VARIATION = 1 };
 
-/* A column may grow by coherence to this many times k; then its farthest candidates beyond the k nearest go.
+/* A column may grow by coherence to this many times k; then its farthest candidates go.
  */
 enum { MOST_TIMES_K = 8 };
+
+/* So many samples are searched together: enough for any method, and little memory beside the columns. */
+enum { PIECE = 4096 };
 
 typedef struct {
     const duct_allocator *allocator;
@@ -21,9 +25,9 @@ typedef struct {
     const duct_feature_index *index;
     const duct_candidate_options *options;
     size_t item_capacity;
-    uint32_t *near;
-    float *distances;
-    uint32_t *hints;
+    uint32_t *near;          /* PIECE times k, as duct_search_sequence() gives them */
+    float *distances;        /* as many */
+    size_t *found;           /* PIECE */
     duct_candidate *nearest; /* room for k */
     duct_candidate *merged;  /* room for 1 + MOST_TIMES_K times k */
 } finder;
@@ -70,7 +74,8 @@ static size_t add_successors(const finder *self, const float *query, const duct_
     return count;
 }
 
-/* Leaves out the farthest beyond the most that a column may have. The k nearest always stay. */
+/* Leaves out the farthest beyond the most that a column may have. The k nearest are never
+ * among these with an exact search. */
 static size_t limit_width(const finder *self, duct_candidate *merged, size_t count)
 {
     size_t most = MOST_TIMES_K * self->options->neighbours;
@@ -80,6 +85,15 @@ static size_t limit_width(const finder *self, duct_candidate *merged, size_t cou
         qsort(merged, count, sizeof *merged, by_sample);
     }
     return count;
+}
+
+/* Candidates of recordings that weigh more are nearer by that factor. */
+static void weigh(const finder *self, duct_candidate *candidates, size_t count)
+{
+    const double *weights = self->library->weights;
+    for (size_t i = 0; weights != NULL && i < count; i++) {
+        candidates[i].distance = (float)((double)candidates[i].distance / weights[candidates[i].stroke]);
+    }
 }
 
 static void vary(const finder *self, duct_candidate *candidates, size_t count)
@@ -105,40 +119,53 @@ static duct_status append(finder *self, duct_columns *columns, size_t column,
     return DUCT_OK;
 }
 
+/* Fills one column from what the search found for it. */
+static duct_status fill_column(finder *self, const float *query, const uint32_t *near, const float *distances,
+                               size_t found, duct_columns *columns, size_t column, duct_error *error)
+{
+    if (found == 0) {
+        return duct_fail(error, DUCT_UNSUPPORTED, "the search found no neighbours; use the exact search");
+    }
+    for (size_t n = 0; n < found; n++) {
+        uint32_t stroke = duct_library_stroke_of(self->library, near[n]);
+        self->nearest[n] = (duct_candidate){near[n], stroke, distances[n]};
+    }
+    qsort(self->nearest, found, sizeof *self->nearest, by_sample);
+    const duct_candidate *all = self->nearest;
+    size_t count = found;
+    if (self->options->coherent && column > 0) {
+        count = add_successors(self, query, columns, column, self->nearest, found, self->merged);
+        count = limit_width(self, self->merged, count);
+        all = self->merged;
+    }
+    return append(self, columns, column, all, count, error);
+}
+
 static duct_status fill(finder *self, const float *rows, duct_columns *columns, duct_error *error)
 {
-    size_t hint_count = 0, dimensions = self->index->dimensions;
-    for (size_t i = 0; i < columns->count; i++) {
-        const float *query = rows + i * dimensions;
-        size_t found = duct_search_nearest(self->index->search, query, self->options->neighbours, self->hints,
-                                           hint_count, self->near, self->distances);
-        if (found == 0) {
-            return duct_fail(error, DUCT_UNSUPPORTED, "the search found no neighbours; use the exact search");
-        }
-        /* The next sample's neighbours are likely those that follow this one's. */
-        hint_count = 0;
-        for (size_t n = 0; n < found; n++) {
-            uint32_t stroke = duct_library_stroke_of(self->library, self->near[n]);
-            self->nearest[n] = (duct_candidate){self->near[n], stroke, self->distances[n]};
-            self->hints[hint_count++] = self->near[n];
-            self->hints[hint_count++] = self->near[n] + 1;
-        }
-        qsort(self->nearest, found, sizeof *self->nearest, by_sample);
-        const duct_candidate *all = self->nearest;
-        size_t count = found;
-        if (self->options->coherent && i > 0) {
-            count = add_successors(self, query, columns, i, self->nearest, found, self->merged);
-            count = limit_width(self, self->merged, count);
-            all = self->merged;
-        }
-        duct_status status = append(self, columns, i, all, count, error);
+    size_t k = self->options->neighbours, dimensions = self->index->dimensions;
+    duct_status status = DUCT_OK;
+    for (size_t first = 0; status == DUCT_OK && first < columns->count; first += PIECE) {
+        size_t count = columns->count - first < PIECE ? columns->count - first : PIECE;
+        status = duct_pool_check(error);
         if (status != DUCT_OK) {
-            return status;
+            break;
+        }
+        const duct_search_query query = {rows + first * dimensions, count, k, first, self->options->seed,
+                                         self->options->stroke_id};
+        status = duct_search_sequence(self->index->search, self->allocator, &query, self->near,
+                                      self->distances, self->found, error);
+        for (size_t i = 0; status == DUCT_OK && i < count; i++) {
+            status = fill_column(self, query.rows + i * dimensions, self->near + i * k,
+                                 self->distances + i * k, self->found[i], columns, first + i, error);
         }
     }
     /* Only now: coherence compares true distances. */
-    vary(self, columns->items, columns->starts[columns->count]);
-    return DUCT_OK;
+    if (status == DUCT_OK) {
+        weigh(self, columns->items, columns->starts[columns->count]);
+        vary(self, columns->items, columns->starts[columns->count]);
+    }
+    return status;
 }
 
 duct_status duct_candidates_find(const duct_allocator *allocator, const duct_library *library,
@@ -148,18 +175,18 @@ duct_status duct_candidates_find(const duct_allocator *allocator, const duct_lib
 {
     memset(columns, 0, sizeof *columns);
     columns->count = count;
-    size_t k = options->neighbours;
+    size_t k = options->neighbours, piece = count < PIECE ? count : PIECE;
     finder self = {.allocator = allocator, .library = library, .index = index, .options = options};
-    float *rows = duct_alloc(allocator, count * index->dimensions, sizeof *rows);
+    float *rows = duct_alloc_raw(allocator, count * index->dimensions, sizeof *rows);
     columns->starts = duct_alloc(allocator, count + 1, sizeof *columns->starts);
-    self.near = duct_alloc(allocator, k, sizeof *self.near);
-    self.distances = duct_alloc(allocator, k, sizeof *self.distances);
-    self.hints = duct_alloc(allocator, 2 * k, sizeof *self.hints);
+    self.near = duct_alloc(allocator, piece * k, sizeof *self.near);
+    self.distances = duct_alloc(allocator, piece * k, sizeof *self.distances);
+    self.found = duct_alloc(allocator, piece, sizeof *self.found);
     self.nearest = duct_alloc(allocator, k, sizeof *self.nearest);
     self.merged = duct_alloc(allocator, (MOST_TIMES_K + 1) * k, sizeof *self.merged);
     duct_status status;
     if (rows == NULL || columns->starts == NULL || self.near == NULL || self.distances == NULL ||
-        self.hints == NULL || self.nearest == NULL || self.merged == NULL) {
+        self.found == NULL || self.nearest == NULL || self.merged == NULL) {
         status = duct_fail_memory(error);
     } else {
         status = duct_features_compute(allocator, &options->features, x, y, count, rows, error);
@@ -170,7 +197,7 @@ duct_status duct_candidates_find(const duct_allocator *allocator, const duct_lib
     duct_release(allocator, rows);
     duct_release(allocator, self.near);
     duct_release(allocator, self.distances);
-    duct_release(allocator, self.hints);
+    duct_release(allocator, self.found);
     duct_release(allocator, self.nearest);
     duct_release(allocator, self.merged);
     if (status != DUCT_OK) {

@@ -8,6 +8,55 @@
 
 #include <math.h>
 
+/* The total turning of a sampled line, radians. */
+static double turning_of(const double *x, const double *y, size_t count)
+{
+    double sum = 0;
+    for (size_t i = 2; i < count; i++) {
+        double ux = x[i - 1] - x[i - 2], uy = y[i - 1] - y[i - 2], vx = x[i] - x[i - 1], vy = y[i] - y[i - 1];
+        sum += fabs(atan2(ux * vy - uy * vx, ux * vx + uy * vy));
+    }
+    return sum;
+}
+
+/* Arc length for each radian of turning: how large the curves are, whether letters are joined or not. */
+static double library_curves(const duct_library *library)
+{
+    double length = 0, turning = 0;
+    for (size_t s = 0; s < library->stroke_count; s++) {
+        size_t start = library->starts[s], count = library->starts[s + 1] - start;
+        length += (double)(count - 1);
+        turning += turning_of(library->channels[DUCT_X] + start, library->channels[DUCT_Y] + start, count);
+    }
+    return turning > 0 ? length / turning : INFINITY;
+}
+
+/* The same for a drawing, in drawing pixels, as it shows when sampled with a unit. */
+static duct_status drawing_curves(const duct_allocator *allocator, const duct_drawing *drawing, double unit,
+                                  double *curves, duct_error *error)
+{
+    double length = 0, turning = 0;
+    for (size_t i = 0; i < duct_drawing_stroke_count(drawing); i++) {
+        const duct_stroke *stroke = duct_drawing_stroke(drawing, i);
+        duct_samples samples;
+        /* What is longer than this cannot be matched at this scale anyway. */
+        if (!(duct_stroke_length(stroke) < 1e5 * unit)) {
+            continue;
+        }
+        duct_status status = duct_samples_make(allocator, stroke, unit, &samples, error);
+        if (status != DUCT_OK) {
+            return status;
+        }
+        if (samples.count > 0) {
+            length += samples.step * (double)(samples.count - 1);
+            turning += turning_of(samples.channels[DUCT_X], samples.channels[DUCT_Y], samples.count);
+        }
+        duct_samples_free(allocator, &samples);
+    }
+    *curves = turning > 0 ? length / turning : INFINITY;
+    return DUCT_OK;
+}
+
 duct_status duct_helpinghand_auto_unit(const duct_allocator *allocator, const duct_library *library,
                                        const duct_drawing *drawing, double *unit, duct_error *error)
 {
@@ -17,16 +66,35 @@ duct_status duct_helpinghand_auto_unit(const duct_allocator *allocator, const du
         return duct_fail_memory(error);
     }
     for (size_t i = 0; i < count; i++) {
-        const duct_stroke *stroke = duct_drawing_stroke(drawing, i);
-        double length = duct_stroke_length(stroke);
+        double length = duct_stroke_length(duct_drawing_stroke(drawing, i));
         if (length > 0 && isfinite(length)) {
             lengths[used++] = length;
         }
     }
-    double median = duct_median(lengths, used);
+    double made = duct_median(lengths, used) / library->median_size;
     duct_release(allocator, lengths);
-    double made = median / library->median_size;
-    *unit = made > 0 ? made : library->unit;
+    if (!(made > 0)) {
+        *unit = library->unit;
+        return DUCT_OK;
+    }
+    /* Finer sampling shows more turns, so the two are brought together step by step. */
+    const int most = 6;
+    double target = library_curves(library);
+    for (int i = 0; i < most; i++) {
+        double curves;
+        duct_status status = drawing_curves(allocator, drawing, made, &curves, error);
+        if (status != DUCT_OK) {
+            return status;
+        }
+        double wanted = curves / target;
+        /* Hands differ in how much they turn, and noise turns too: only a clear difference says that strokes
+         * are not what they are in the library. */
+        if (!(wanted < (i == 0 ? 0.5 : 0.95) * made)) {
+            break;
+        }
+        made = wanted > 0.25 * made ? wanted : 0.25 * made;
+    }
+    *unit = made;
     return DUCT_OK;
 }
 

@@ -62,7 +62,8 @@ typedef struct duct_helpinghand {
 } duct_helpinghand;
 
 /* The sampling unit, in drawing pixels, at which a drawing's sizes meet the library's: the median strokes of
- * both are equally long. Errors: DUCT_NO_MEMORY. */
+ * both are equally long, or, where that is finer, their curves are equally large (arc length for each radian
+ * of turning), so that a word written in one stroke is not taken for a letter. Errors: DUCT_NO_MEMORY. */
 duct_status duct_helpinghand_auto_unit(const duct_allocator *allocator, const duct_library *library,
                                        const duct_drawing *drawing, double *unit, duct_error *error);
 

@@ -59,18 +59,17 @@ static duct_status list_emissions(const duct_helpinghand *hand, const duct_resul
     if (made == NULL) {
         return duct_fail_memory(error);
     }
-    double length = duct_stroke_length(stroke), at = 0;
-    double scale = (double)(result->count - 1) / length;
+    double last = (double)(result->count - 1);
     size_t k = 0;
     for (size_t i = 0; i < size; i++) {
         size_t next = (i + 1) % size;
-        double gap = hypot(x[next] - x[i], y[next] - y[i]);
-        size_t pieces = i < spans ? pieces_of(gap, finest) : 1;
+        size_t pieces = i < spans ? pieces_of(hypot(x[next] - x[i], y[next] - y[i]), finest) : 1;
+        double begin = result->at[i] / result->step,
+               end = i + 1 < size ? result->at[next] / result->step : last;
         for (size_t p = 0; p < pieces; p++) {
             double share = (double)p / (double)pieces;
-            made[k++] = (emission){i, share, fmin((at + share * gap) * scale, (double)(result->count - 1))};
+            made[k++] = (emission){i, share, fmin(begin + share * (end - begin), last)};
         }
-        at += gap;
     }
     *list = made;
     *count = total;
@@ -91,15 +90,17 @@ static double input_value(const duct_stroke *stroke, duct_channel channel, const
 
 /* The result's position at a place between uniform samples: Catmull-Rom, so that coarse units show no
  * corners. */
-static double position(const double *values, size_t count, double place)
+static double position(const duct_result *result, const double *values, double place)
 {
-    size_t i = (size_t)place;
+    size_t i = (size_t)place, count = result->count;
     if (i + 1 >= count) {
         return values[count - 1];
     }
+    bool around = result->closed && count > 3;
     double u = place - (double)i, u2 = u * u, u3 = u2 * u;
     double b = values[i], c = values[i + 1];
-    double a = i > 0 ? values[i - 1] : 2 * b - c, d = i + 2 < count ? values[i + 2] : 2 * c - b;
+    double a = i > 0 ? values[i - 1] : around ? values[count - 2] : 2 * b - c;
+    double d = i + 2 < count ? values[i + 2] : around ? values[1] : 2 * c - b;
     return 0.5 * (2 * b + (c - a) * u + (2 * a - 5 * b + 4 * c - d) * u2 + (3 * b - a - 3 * c + d) * u3);
 }
 
@@ -160,7 +161,7 @@ static double output_value(const duct_helpinghand *hand, const duct_result *resu
             return old;
         }
         const double *values = channel == DUCT_X ? result->x : result->y;
-        double made = position(values, result->count, sample->place) * result->unit;
+        double made = position(result, values, sample->place) * result->unit;
         return hand->options.amount < 1 ? old + hand->options.amount * (made - old) : made;
     }
     if (!gives_pose(hand, stroke, channel)) {

@@ -9,7 +9,10 @@
  * for pose. */
 typedef struct duct_result {
     size_t count;
-    double unit; /* drawing pixels a sampling unit */
+    double unit;      /* drawing pixels a sampling unit */
+    double step;      /* drawing pixels of arc length between the uniform samples */
+    const double *at; /* arc length at each of the stroke's own samples, drawing pixels */
+    bool closed;      /* the last uniform sample is the first one again */
     double *x, *y;
     duct_gesture *gestures;
 } duct_result;

@@ -5,6 +5,7 @@
 #include "helpinghand/sequence.h"
 
 #include "base/error.h"
+#include "base/pool.h"
 
 #include <math.h>
 #include <string.h>
@@ -235,9 +236,10 @@ static void jump(const solver *self, const duct_candidate *before, size_t before
     }
 }
 
-/* A state can never be better than a longer one (or one that may still repeat) that costs no more: it goes.
- */
-static void drop_dominated(const double *row, uint64_t *alive)
+/* A state can never be better than a longer one of its kind that costs no more: it goes. One that may not
+ * repeat again is no better than a longer one that may, either, unless repeating costs more than the jump
+ * onto the same sample that it is left with. */
+static void drop_dominated(const duct_sequence_costs *costs, const double *row, uint64_t *alive)
 {
     double best[2] = {INFINITY, INFINITY};
     for (uint64_t left = *alive; left != 0;) {
@@ -245,7 +247,10 @@ static void drop_dominated(const double *row, uint64_t *alive)
         uint64_t bit = (uint64_t)1 << state;
         left &= ~bit;
         bool repeated = state % 2 == 1;
-        double bound = repeated && best[1] < best[0] ? best[1] : best[0];
+        double bound = best[repeated];
+        if (repeated && costs->stretch <= costs->jump && best[0] < bound) {
+            bound = best[0];
+        }
         if (row[state] >= bound) {
             *alive &= ~bit;
         } else {
@@ -293,13 +298,14 @@ static void step(solver *self, size_t i, const line *from, const line *to, back 
                 /* A second repetition is a jump onto the same sample. */
                 leave again = best_leave(self, from, p, repeating_states);
                 if (again.cost < INFINITY) {
-                    offer(row, row_backs, &alive, state_of(1, true), again.cost + self->costs->jump, p,
-                          again.state);
+                    double distance = duct_jump_distance(self->space, here[j].sample, here[j].sample);
+                    double total = again.cost + self->costs->jump + self->costs->distance * distance;
+                    offer(row, row_backs, &alive, state_of(1, true), total, p, again.state);
                 }
             }
         }
         jump(self, before, before_count, &here[j], cheapest_fresh(row, alive), row, row_backs, &alive);
-        drop_dominated(row, &alive);
+        drop_dominated(self->costs, row, &alive);
         for (uint64_t left = alive; left != 0; left &= left - 1) {
             row[__builtin_ctzll(left)] += (double)here[j].distance;
         }
@@ -349,9 +355,10 @@ static line line_at(const line *lines, const solver *self, size_t n)
 /* Walks the whole program with the costs of every `stride`-th column kept, then goes back stride by stride,
  * each time walking it again from its kept column with the ways back remembered. With one stride only, the
  * first walk remembers them at once. */
-static void solve(solver *self, size_t stride, const line *kept, const line *pair, back *backs,
-                  size_t *chosen)
+static duct_status solve(solver *self, size_t stride, const line *kept, const line *pair, back *backs,
+                         size_t *chosen, duct_error *error)
 {
+    enum { CHECK_EVERY = 256 };
     size_t count = self->columns->count, row = self->widest * self->states;
     size_t last_block = (count - 1) / stride;
     line lines[2] = {line_at(pair, self, 0), line_at(pair, self, 1)};
@@ -359,6 +366,9 @@ static void solve(solver *self, size_t stride, const line *kept, const line *pai
     for (size_t i = 0; i < count; i++) {
         if (i > 0) {
             step(self, i, &lines[(i - 1) % 2], &lines[i % 2], last_block == 0 ? backs + (i - 1) * row : NULL);
+        }
+        if (i % CHECK_EVERY == 0 && duct_pool_check(error) != DUCT_OK) {
+            return DUCT_CANCELLED;
         }
         if (i % stride == 0) {
             line place = line_at(kept, self, i / stride);
@@ -369,6 +379,9 @@ static void solve(solver *self, size_t stride, const line *kept, const line *pai
     chosen[count - 1] = self->columns->starts[count - 1] + place.candidate;
     for (size_t block = last_block + 1; block-- > 0;) {
         size_t begin = block * stride, end = begin + stride < count ? begin + stride : count - 1;
+        if (duct_pool_check(error) != DUCT_OK) {
+            return DUCT_CANCELLED;
+        }
         line start = line_at(kept, self, block);
         copy_line(self, begin, &start, &lines[begin % 2]);
         for (size_t i = begin + 1; last_block > 0 && i <= end; i++) {
@@ -379,6 +392,7 @@ static void solve(solver *self, size_t stride, const line *kept, const line *pai
             chosen[i - 1] = self->columns->starts[i - 1] + place.candidate;
         }
     }
+    return DUCT_OK;
 }
 
 duct_status duct_sequence_solve(const duct_allocator *allocator, const duct_columns *columns,
@@ -401,18 +415,18 @@ duct_status duct_sequence_solve(const duct_allocator *allocator, const duct_colu
     size_t stride = count <= 512 ? count : (size_t)ceil(sqrt((double)count));
     stride = stride < 512 && count > 512 ? 512 : stride;
     size_t row = self.widest * self.states, blocks = (count - 1) / stride + 1;
-    line kept = {duct_alloc(allocator, blocks * row, sizeof(double)),
+    line kept = {duct_alloc_raw(allocator, blocks * row, sizeof(double)),
                  duct_alloc(allocator, blocks * self.widest, sizeof(uint64_t))};
-    line pair = {duct_alloc(allocator, 2 * row, sizeof(double)),
+    line pair = {duct_alloc_raw(allocator, 2 * row, sizeof(double)),
                  duct_alloc(allocator, 2 * self.widest, sizeof(uint64_t))};
-    back *backs = duct_alloc(allocator, stride * row, sizeof *backs);
+    back *backs = duct_alloc_raw(allocator, stride * row, sizeof *backs);
     self.leaves = duct_alloc(allocator, self.widest, sizeof *self.leaves);
     duct_status status = DUCT_OK;
     if (kept.costs == NULL || kept.alive == NULL || pair.costs == NULL || pair.alive == NULL ||
         backs == NULL || self.leaves == NULL) {
         status = duct_fail_memory(error);
     } else {
-        solve(&self, stride, &kept, &pair, backs, chosen);
+        status = solve(&self, stride, &kept, &pair, backs, chosen, error);
     }
     duct_release(allocator, kept.costs);
     duct_release(allocator, kept.alive);

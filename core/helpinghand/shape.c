@@ -8,31 +8,41 @@
 
 #include <math.h>
 
+enum {
+    CORNER_WEIGHT = 8, /* a corner is this much firmer than another anchor */
+    MOST_ROUNDS = 16   /* of solving again with firmer anchors */
+};
+
 typedef struct {
     const duct_shape_options *options;
     const double *x, *y;
     const duct_gesture *gestures;
     size_t count;
-    const bool *marks;
+    bool *marks;         /* anchors */
+    const bool *corners; /* those of them that are corners to be kept */
+    double *weights;     /* of the positions */
     duct_pentadiagonal matrix;
     double *right_x, *right_y;
 } problem;
 
+/* Equation (4) at one anchor; not across a corner, which the hand's curvature would round. */
 static void add_curvature(problem *self, size_t anchor)
 {
     static const double second_difference[3] = {1, -2, 1};
     size_t reach = self->options->curvature_reach;
     size_t first = anchor > reach + 1 ? anchor - reach : 1;
     size_t last = anchor + reach + 2 <= self->count ? anchor + reach : self->count - 2;
+    const duct_gesture *g = self->gestures;
     for (size_t j = first; j <= last && j + 1 < self->count; j++) {
-        const duct_gesture *g = self->gestures;
-        duct_pentadiagonal_add(&self->matrix, self->right_x, self->right_y, j - 1, second_difference, 3,
-                               self->options->curvature_weight, g[j + 1].vx - g[j].vx, g[j + 1].vy - g[j].vy);
+        if (!self->corners[j - 1] && !self->corners[j] && !self->corners[j + 1]) {
+            duct_pentadiagonal_add(&self->matrix, self->right_x, self->right_y, j - 1, second_difference, 3,
+                                   self->options->curvature_weight, g[j + 1].vx - g[j].vx,
+                                   g[j + 1].vy - g[j].vy);
+        }
     }
 }
 
-/* Sets the equations up, with the two ends held by `end_weight`, and solves them. */
-static bool solve(problem *self, double end_weight)
+static bool solve(problem *self)
 {
     static const double difference[2] = {-1, 1}, one[1] = {1};
     for (size_t i = 0; i < self->count; i++) {
@@ -44,11 +54,9 @@ static bool solve(problem *self, double end_weight)
                                self->gestures[i].vx, self->gestures[i].vy);
     }
     for (size_t i = 0; i < self->count; i++) {
-        bool end = i == 0 || i + 1 == self->count;
-        double weight = (self->marks[i] ? self->options->anchor_weight : 0) + (end ? end_weight : 0);
-        if (weight > 0) {
-            duct_pentadiagonal_add(&self->matrix, self->right_x, self->right_y, i, one, 1, weight, self->x[i],
-                                   self->y[i]);
+        if (self->weights[i] > 0) {
+            duct_pentadiagonal_add(&self->matrix, self->right_x, self->right_y, i, one, 1, self->weights[i],
+                                   self->x[i], self->y[i]);
         }
         if (self->marks[i] && self->count >= 3) {
             add_curvature(self, i);
@@ -57,12 +65,45 @@ static bool solve(problem *self, double end_weight)
     return duct_pentadiagonal_solve(&self->matrix, self->right_x, self->right_y);
 }
 
-/* How far the farther of the two ends is from the query's. */
-static double end_error(const problem *self)
+/* How far the result is from the query at sample i. */
+static double stray(const problem *self, size_t i)
 {
+    return hypot(self->right_x[i] - self->x[i], self->right_y[i] - self->y[i]);
+}
+
+static void firm_up(problem *self, size_t i)
+{
+    double least = self->options->anchor_weight;
+    self->weights[i] = 4 * (self->weights[i] > least ? self->weights[i] : least);
+}
+
+/* Firms up the ends that are more than a unit off, and sets an anchor wherever the line strays most beyond
+ * the leeway. False where there is nothing to do. */
+static bool tighten(problem *self)
+{
+    bool tightened = false;
     size_t last = self->count - 1;
-    double first = hypot(self->right_x[0] - self->x[0], self->right_y[0] - self->y[0]);
-    return fmax(first, hypot(self->right_x[last] - self->x[last], self->right_y[last] - self->y[last]));
+    for (size_t i = 0; i <= last; i += last) {
+        if (stray(self, i) > 1) {
+            firm_up(self, i);
+            tightened = true;
+        }
+    }
+    for (size_t i = 1; i < last; i++) {
+        size_t worst = i;
+        double most = 0;
+        for (; i < last && stray(self, i) > self->options->leeway; i++) {
+            double off = stray(self, i);
+            worst = off > most ? i : worst;
+            most = off > most ? off : most;
+        }
+        if (most > 0) {
+            self->marks[worst] = true;
+            firm_up(self, worst);
+            tightened = true;
+        }
+    }
+    return tightened;
 }
 
 static void integrate(const double *x, const double *y, const duct_gesture *gestures, size_t count,
@@ -92,28 +133,37 @@ duct_status duct_shape_solve(const duct_allocator *allocator, const duct_shape_o
         integrate(x, y, gestures, count, closed, out_x, out_y);
         return DUCT_OK;
     }
-    bool *marks = duct_alloc(allocator, count, sizeof *marks);
-    double *bands = duct_alloc(allocator, 3 * count, sizeof *bands);
+    bool *marks = duct_alloc(allocator, 2 * count, sizeof *marks),
+         *corners = marks != NULL ? marks + count : NULL;
+    double *bands = duct_alloc(allocator, 4 * count, sizeof *bands);
     duct_status status;
     if (marks == NULL || bands == NULL) {
         status = duct_fail_memory(error);
     } else {
-        status = duct_anchors_find(allocator, options, x, y, count, marks, error);
+        bool *kept = options->anchors == DUCT_ANCHORS_ON ? corners : NULL;
+        status = duct_anchors_find(allocator, options, x, y, count, marks, kept, error);
     }
     if (status == DUCT_OK) {
-        problem self = {
-            .options = options, .x = x, .y = y, .gestures = gestures, .count = count, .marks = marks};
+        problem self = {.options = options, .x = x, .y = y, .gestures = gestures, .count = count};
+        self.marks = marks;
+        self.corners = corners;
         self.matrix = (duct_pentadiagonal){count, bands, bands + count, bands + 2 * count};
+        self.weights = bands + 3 * count;
         self.right_x = out_x;
         self.right_y = out_y;
-        /* A closed stroke's ends are one point: held so firmly that what is left of a gap is rounding. */
-        const double firm = 1e9;
-        bool solved = solve(&self, closed ? firm : 0);
-        for (double weight = options->anchor_weight;
-             solved && !closed && options->anchors == DUCT_ANCHORS_ON && weight < firm &&
-             end_error(&self) > 1;
-             weight *= 4) {
-            solved = solve(&self, weight);
+        for (size_t i = 0; i < count; i++) {
+            self.weights[i] = marks[i] ? options->anchor_weight * (corners[i] ? CORNER_WEIGHT : 1) : 0;
+        }
+        if (closed) {
+            /* The ends are one point: held so firmly that what is left of a gap is rounding. */
+            self.weights[0] = self.weights[count - 1] = 1e9;
+        }
+        bool solved = solve(&self);
+        for (int round = 0; solved && options->anchors == DUCT_ANCHORS_ON && round < MOST_ROUNDS; round++) {
+            if (!tighten(&self)) {
+                break;
+            }
+            solved = solve(&self);
         }
         if (!solved) {
             integrate(x, y, gestures, count, closed, out_x, out_y);

@@ -12,12 +12,66 @@
 #include <math.h>
 #include <string.h>
 
+/* Samples by which a closed line's query runs over its join, at each end. */
+static const size_t overlap = 24;
+
 static void positions_of(const duct_samples *query, duct_result *result)
 {
     for (size_t i = 0; i < query->count; i++) {
         result->x[i] = query->channels[DUCT_X][i] / result->unit;
         result->y[i] = query->channels[DUCT_Y][i] / result->unit;
     }
+}
+
+/* One pass over a closed line, which has neither beginning nor end: the query is wrapped around itself by up
+ * to `overlap` samples at both ends, where the pen comes down and goes up out of sight, and what follows the
+ * join is faded over from what came before it. x[count - 1] is x[0] again, and so it is with y. */
+static duct_status closed_pass(const duct_helpinghand *hand, bool direction, const char *id, const double *x,
+                               const double *y, size_t count, duct_gesture *gestures, duct_json *trace,
+                               duct_error *error)
+{
+    const duct_allocator *allocator = &hand->allocator;
+    size_t around = count - 1, wrap = around < overlap ? around : overlap, total = count + 2 * wrap;
+    double *positions = duct_alloc_raw(allocator, 2 * total, sizeof *positions);
+    duct_gesture *wrapped = duct_alloc_raw(allocator, total, sizeof *wrapped);
+    duct_status status;
+    if (positions == NULL || wrapped == NULL) {
+        status = duct_fail_memory(error);
+    } else {
+        for (size_t i = 0; i < total; i++) {
+            size_t from = (i + around - wrap) % around;
+            positions[i] = x[from];
+            positions[total + i] = y[from];
+        }
+        status =
+            duct_pass_run(hand, direction, id, positions, positions + total, total, wrapped, trace, error);
+    }
+    if (status == DUCT_OK) {
+        for (size_t i = 0; i < count; i++) {
+            gestures[i] = wrapped[wrap + i];
+        }
+        for (size_t i = 0; i < wrap && i < around; i++) {
+            double share = (double)(i + 1) / (double)(wrap + 1);
+            gestures[i] = duct_gesture_between(&wrapped[wrap + around + i], &wrapped[wrap + i], share);
+        }
+        /* The last sample is the first one; its velocity still leads up to it. */
+        duct_gesture last = gestures[0];
+        last.vx = gestures[around].vx;
+        last.vy = gestures[around].vy;
+        gestures[around] = last;
+    }
+    duct_release(allocator, positions);
+    duct_release(allocator, wrapped);
+    return status;
+}
+
+static duct_status run_pass(const duct_helpinghand *hand, bool direction, const duct_stroke *stroke,
+                            const double *x, const double *y, size_t count, duct_gesture *gestures,
+                            duct_json *trace, duct_error *error)
+{
+    bool closed = duct_stroke_closed(stroke) && count > 3;
+    return (closed ? closed_pass : duct_pass_run)(hand, direction, duct_stroke_id(stroke), x, y, count,
+                                                  gestures, trace, error);
 }
 
 /* Replaces the positions by those that the gestures' velocities make. */
@@ -47,7 +101,7 @@ static duct_status shape(const duct_helpinghand *hand, const duct_samples *query
 
 /* Pose for the new trajectory: it is sampled uniformly again, and the gestures are read off at its samples'
  * arc lengths. */
-static duct_status second_pass(const duct_helpinghand *hand, const char *id, size_t count,
+static duct_status second_pass(const duct_helpinghand *hand, const duct_stroke *stroke, size_t count,
                                duct_result *result, duct_json *trace, duct_error *error)
 {
     const duct_allocator *allocator = &hand->allocator;
@@ -58,7 +112,7 @@ static duct_status second_pass(const duct_helpinghand *hand, const char *id, siz
     double length = duct_arc_lengths(result->x, result->y, count, at);
     if (!(length > 0) || !(length < DUCT_MAX_SAMPLES)) {
         duct_release(allocator, at);
-        return duct_pass_run(hand, false, id, result->x, result->y, count, result->gestures, trace, error);
+        return run_pass(hand, false, stroke, result->x, result->y, count, result->gestures, trace, error);
     }
     size_t steps = (size_t)floor(length + 0.5);
     size_t fresh = (steps < 1 ? 1 : steps) + 1;
@@ -74,7 +128,7 @@ static duct_status second_pass(const duct_helpinghand *hand, const char *id, siz
             x[i] = duct_interpolate(at, result->x, count, where, &hint_x);
             y[i] = duct_interpolate(at, result->y, count, where, &hint_y);
         }
-        status = duct_pass_run(hand, false, id, x, y, fresh, gestures, trace, error);
+        status = run_pass(hand, false, stroke, x, y, fresh, gestures, trace, error);
     }
     for (size_t i = 0; status == DUCT_OK && i < count; i++) {
         double place = at[i] / length * (double)(fresh - 1);
@@ -93,20 +147,23 @@ static duct_status run_passes(const duct_helpinghand *hand, const duct_stroke *s
                               duct_error *error)
 {
     duct_stylization mode = hand->options.mode;
-    const char *id = duct_stroke_id(stroke);
     size_t count = query->count;
     positions_of(query, result);
     bool direction = mode == DUCT_STYLIZE_TRAJECTORY || mode == DUCT_STYLIZE_TWO_PASS;
     duct_status status =
-        duct_pass_run(hand, direction, id, result->x, result->y, count, result->gestures, trace, error);
+        run_pass(hand, direction, stroke, result->x, result->y, count, result->gestures, trace, error);
     if (status == DUCT_OK && mode != DUCT_STYLIZE_POSE) {
         status = shape(hand, query, duct_stroke_closed(stroke), result->gestures, result, error);
     }
     if (status == DUCT_OK && mode == DUCT_STYLIZE_TWO_PASS) {
-        status = second_pass(hand, id, count, result, trace, error);
+        status = second_pass(hand, stroke, count, result, trace, error);
     }
     return status;
 }
+
+/* A stroke that would have more samples than this is compared at a coarser scale: each costs some kilobytes.
+ */
+#define MOST_SAMPLES 131072.0
 
 /* How sharply a sampled line turns from sample to sample, radians: on average, and what a tenth of them
  * exceed. */
@@ -147,6 +204,15 @@ static duct_status sample_query(const duct_helpinghand *hand, const duct_stroke 
 {
     const double gentle = 12 * M_PI / 180, sharp = 35 * M_PI / 180, shrink = 0.7;
     const int most = 8;
+    double coarsest = duct_stroke_length(stroke) / MOST_SAMPLES;
+    if (coarsest > *unit && isfinite(coarsest)) {
+        if (!hand->refine) {
+            return duct_fail(error, DUCT_LIMIT,
+                             "stroke '%.60s' is too long for its scale: %.3g samples; give a larger scale",
+                             duct_stroke_id(stroke), coarsest * MOST_SAMPLES / *unit);
+        }
+        *unit = coarsest;
+    }
     duct_status status = duct_samples_make(&hand->allocator, stroke, *unit, query, error);
     bool recorded = duct_stroke_values(stroke, DUCT_T) != NULL;
     if (status != DUCT_OK || recorded || !hand->refine || query->count == 0) {
@@ -154,8 +220,9 @@ static duct_status sample_query(const duct_helpinghand *hand, const duct_stroke 
     }
     turning now;
     status = measure_turning(&hand->allocator, query, &now, error);
-    for (int i = 0;
-         status == DUCT_OK && i < most && (query->count < 8 || now.mean > gentle || now.high > sharp); i++) {
+    for (int i = 0; status == DUCT_OK && i < most && (double)query->count < MOST_SAMPLES / 2 &&
+                    (query->count < 8 || now.mean > gentle || now.high > sharp);
+         i++) {
         duct_samples finer;
         turning then;
         status = duct_samples_make(&hand->allocator, stroke, *unit * shrink, &finer, error);
@@ -178,7 +245,11 @@ static duct_status sample_query(const duct_helpinghand *hand, const duct_stroke 
 static duct_status stylize_line(const duct_helpinghand *hand, duct_stroke *stroke, const duct_samples *query,
                                 double unit, duct_json *trace, duct_error *error)
 {
-    duct_result result = {.count = query->count, .unit = unit};
+    duct_result result = {.count = query->count,
+                          .unit = unit,
+                          .step = query->step,
+                          .at = query->at,
+                          .closed = duct_stroke_closed(stroke)};
     result.x = duct_alloc(&hand->allocator, 2 * query->count, sizeof *result.x);
     result.gestures = duct_alloc(&hand->allocator, query->count, sizeof *result.gestures);
     duct_status status;
@@ -208,7 +279,7 @@ duct_status duct_helpinghand_stylize(const duct_helpinghand *hand, duct_stroke *
     }
     duct_status status = DUCT_OK;
     if (hand->options.amount > 0 && duct_stroke_size(stroke) > 0 && duct_result_wanted(hand, stroke)) {
-        duct_samples query;
+        duct_samples query = {.count = 0};
         double unit = hand->unit;
         status = sample_query(hand, stroke, &query, &unit, error);
         if (status == DUCT_OK && query.count == 0) {

@@ -27,11 +27,14 @@ static const duct_choice channel_rules[] = {
 };
 static const duct_choice feature_kinds[] = {
     {"velocities", "Filtered velocities", "Compares the course of the line before and behind each point."},
+    {"contexts", "Shape contexts",
+     "Compares where the line before and behind each point lies: mixes letters up less, but is noisier."},
 };
 static const duct_choice searches[] = {
     {"exact", "Exact",
      "Compares with everything that could be near; the fastest for ordinary libraries as well."},
     {"flann", "FLANN", "FLANN's single kd-tree."},
+    {"patchmatch", "PatchMatch", "Searches by chance and spreads what it finds along the line: approximate."},
 };
 static const duct_choice selections[] = {
     {"optimal", "Optimal sequence", "A few long pieces of the recordings that fit together best."},
@@ -62,6 +65,10 @@ static const duct_param params[] = {
      "recorded at; auto "
      "lets typical strokes of both have the same size.",
      DUCT_PARAM_AUTO, "times", 0.001, 1000, 0.1, "auto", NO_CHOICE, "Hand", false},
+    {"refine", "Fine detail",
+     "With scale auto: small and intricate lines are compared at a finer scale of their own, so that they "
+     "keep their shape.",
+     DUCT_PARAM_BOOL, "", 0, 1, 1, "true", NO_CHOICE, "Hand", true},
     {"variation", "Variation",
      "Lets the same shape come out differently each time; 0 always takes the best match.", DUCT_PARAM_REAL,
      "", 0, 10, 0.1, "0", NO_CHOICE, "Hand", false},
@@ -128,7 +135,9 @@ static const duct_param params[] = {
      DUCT_PARAM_CHOICE, "", 0, 0, 0, "on", CHOICES(anchor_choices), "Shape", true},
     {"anchor-gap", "Anchor gap",
      "No two anchors are farther apart than this, so that long straight lines stay straight.", DUCT_PARAM_INT,
-     "samples", 2, 100000, 1, "24", NO_CHOICE, "Shape", true},
+     "samples", 2, 1000, 1, "24", NO_CHOICE, "Shape", true},
+    {"leeway", "Leeway", "How far the new line may stray from the drawing's.", DUCT_PARAM_REAL, "samples",
+     0.1, 1e6, 0.5, "3", NO_CHOICE, "Shape", true},
     {"anchor-weight", "Anchor weight", "How firmly the anchors hold the line.", DUCT_PARAM_REAL, "", 0, 1000,
      0.05, "1", NO_CHOICE, "Shape", true},
     {"curvature-weight", "Curvature weight", "How firmly the line keeps the hand's curvature at the anchors.",
@@ -142,11 +151,9 @@ static const duct_param params[] = {
      DUCT_PARAM_REAL, "square samples", 0, 1e6, 1, "1", NO_CHOICE, "Shape", true},
 };
 
-static const duct_preset_value paper_values[] = {{"anchors", "paper"},
-                                                 {"coherent", "false"},
-                                                 {"anchor-gap", "200"},
-                                                 {"anchor-weight", "0.25"},
-                                                 {"vertex-cost", "30"}};
+static const duct_preset_value paper_values[] = {
+    {"anchors", "paper"},  {"coherent", "false"}, {"anchor-gap", "1000"}, {"anchor-weight", "0.25"},
+    {"vertex-cost", "30"}, {"refine", "false"},   {"channels", "all"}};
 static const duct_preset_value faithful_values[] = {{"mode", "pose"}};
 
 static const duct_preset presets[] = {
@@ -178,7 +185,8 @@ static duct_pass_options pass_options(const duct_settings *settings, const char 
 /* The tables' choices, in the order of the enumerations they stand for. */
 static duct_helpinghand_options options_from(const duct_settings *settings)
 {
-    static const duct_search_kind search_kinds[] = {DUCT_SEARCH_EXACT, DUCT_SEARCH_FLANN};
+    static const duct_search_kind search_kinds[] = {DUCT_SEARCH_EXACT, DUCT_SEARCH_FLANN,
+                                                    DUCT_SEARCH_PATCHMATCH};
     static const duct_anchors anchor_kinds[] = {DUCT_ANCHORS_ON, DUCT_ANCHORS_PAPER, DUCT_ANCHORS_OFF};
     duct_helpinghand_options options;
     options.mode = (duct_stylization)duct_settings_choice(settings, "mode");
@@ -193,6 +201,7 @@ static duct_helpinghand_options options_from(const duct_settings *settings)
     options.shape.anchors = anchor_kinds[duct_settings_choice(settings, "anchors")];
     options.shape.corner = duct_settings_number(settings, "corner-angle") * M_PI / 180;
     options.shape.vertex_cost = duct_settings_number(settings, "vertex-cost");
+    options.shape.leeway = duct_settings_number(settings, "leeway");
     options.shape.longest = duct_settings_size(settings, "anchor-gap");
     options.shape.anchor_weight = duct_settings_number(settings, "anchor-weight");
     options.shape.curvature_weight = duct_settings_number(settings, "curvature-weight");
@@ -311,7 +320,8 @@ static duct_status run_restyle(const duct_context *context, const duct_settings 
     duct_helpinghand_options options = options_from(settings);
     duct_drawing *drawing = NULL;
     double unit = 0, scale;
-    bool refine = !duct_settings_auto_number(settings, "scale", &scale);
+    bool refine =
+        duct_settings_bool(settings, "refine") && !duct_settings_auto_number(settings, "scale", &scale);
     status = choose_unit(context, settings, library, input, &unit, error);
     if (status == DUCT_OK) {
         status = duct_drawing_copy(context, input, &drawing, error);

@@ -14,7 +14,7 @@
 
 enum { COUNT = 60 };
 
-static const duct_shape_options paper = {DUCT_ANCHORS_PAPER, M_PI / 3, 30, 200, 0.25, 2, 2};
+static const duct_shape_options paper = {DUCT_ANCHORS_PAPER, M_PI / 3, 30, 200, 1e6, 0.25, 2, 2};
 
 typedef struct {
     double x[COUNT], y[COUNT];
@@ -91,7 +91,7 @@ static void agrees_with_dense_least_squares(void **state)
         make_query(&q, seed);
         bool marks[COUNT];
         double x[COUNT], y[COUNT], dense_x[COUNT], dense_y[COUNT];
-        assert_ok(duct_anchors_find(duct_allocator_of(NULL), &paper, q.x, q.y, COUNT, marks, &error));
+        assert_ok(duct_anchors_find(duct_allocator_of(NULL), &paper, q.x, q.y, COUNT, marks, NULL, &error));
         assert_ok(duct_shape_solve(duct_allocator_of(NULL), &paper, q.x, q.y, q.gestures, COUNT, false, x, y,
                                    &error));
         solve_densely(&q, &paper, marks, dense_x, dense_y);
@@ -170,6 +170,35 @@ static void ends_stay_within_a_unit(void **state)
     assert_true(worst_paper > 1); /* otherwise the above shows nothing */
 }
 
+static void the_line_stays_within_its_leeway_and_keeps_corners(void **state)
+{
+    (void)state;
+    duct_error error;
+    query q;
+    make_query(&q, 5);
+    for (size_t i = 0; i < COUNT; i++) { /* an L, drawn by gestures that run a wide curve */
+        q.x[i] = i < 30 ? (double)i : 29;
+        q.y[i] = i < 30 ? 0 : (double)i - 29;
+        q.gestures[i].vx = cos(0.05 * (double)i);
+        q.gestures[i].vy = sin(0.05 * (double)i);
+    }
+    double farthest[2] = {0}, corner[2];
+    for (int on = 0; on < 2; on++) {
+        duct_shape_options options = paper;
+        options.anchors = on ? DUCT_ANCHORS_ON : DUCT_ANCHORS_PAPER;
+        options.leeway = 1.5;
+        double x[COUNT], y[COUNT];
+        assert_ok(duct_shape_solve(duct_allocator_of(NULL), &options, q.x, q.y, q.gestures, COUNT, false, x,
+                                   y, &error));
+        for (size_t i = 0; i < COUNT; i++) {
+            farthest[on] = fmax(farthest[on], hypot(x[i] - q.x[i], y[i] - q.y[i]));
+        }
+        corner[on] = hypot(x[29] - 29, y[29]);
+    }
+    assert_true(farthest[0] > 3 && farthest[1] < 1.7);
+    assert_true(corner[1] < 0.8 && corner[1] < corner[0]);
+}
+
 static void closed_strokes_stay_closed(void **state)
 {
     (void)state;
@@ -207,7 +236,7 @@ static void corners_and_ends_are_anchors(void **state)
         y[i] = i < 30 ? 0 : (double)i - 29;
     }
     bool marks[COUNT];
-    assert_ok(duct_anchors_find(duct_allocator_of(NULL), &paper, x, y, COUNT, marks, &error));
+    assert_ok(duct_anchors_find(duct_allocator_of(NULL), &paper, x, y, COUNT, marks, NULL, &error));
     assert_true(marks[3] && marks[COUNT - 4] && marks[29]);
     size_t count = 0;
     for (size_t i = 0; i < COUNT; i++) {
@@ -218,7 +247,7 @@ static void corners_and_ends_are_anchors(void **state)
         x[i] = 20 * cos(0.1 * (double)i);
         y[i] = 20 * sin(0.1 * (double)i);
     }
-    assert_ok(duct_anchors_find(duct_allocator_of(NULL), &paper, x, y, COUNT, marks, &error));
+    assert_ok(duct_anchors_find(duct_allocator_of(NULL), &paper, x, y, COUNT, marks, NULL, &error));
     count = 0;
     for (size_t i = 0; i < COUNT; i++) {
         count += marks[i];
@@ -230,7 +259,7 @@ static void corners_and_ends_are_anchors(void **state)
     }
     duct_shape_options close = paper;
     close.longest = 10;
-    assert_ok(duct_anchors_find(duct_allocator_of(NULL), &close, x, y, COUNT, marks, &error));
+    assert_ok(duct_anchors_find(duct_allocator_of(NULL), &close, x, y, COUNT, marks, NULL, &error));
     for (size_t i = 3, last = 3; i < COUNT - 3; i++) {
         last = marks[i] ? i : last;
         assert_true(i - last < 10);
@@ -260,6 +289,7 @@ int main(void)
         cmocka_unit_test(pentadiagonal_solve_agrees_with_lapack),
         cmocka_unit_test(rejects_indefinite_matrices),
         cmocka_unit_test(ends_stay_within_a_unit),
+        cmocka_unit_test(the_line_stays_within_its_leeway_and_keeps_corners),
         cmocka_unit_test(closed_strokes_stay_closed),
         cmocka_unit_test(corners_and_ends_are_anchors),
         cmocka_unit_test(tiny_strokes_work),
