@@ -81,7 +81,7 @@ static int run(const char *command, const char *usage, const char *summary, bool
     cli_options_add(&options, cli_session_options, cli_session_option_count);
     int result = cli_arguments_read(&arguments, &options, command, count, words);
     if (result == CLI_DONE && arguments.help) {
-        printf("Usage: ductus %s\n\n", usage);
+        cli_help_usage(usage);
         cli_help_text(summary);
         cli_help_options(&options);
     } else if (result == CLI_DONE) {

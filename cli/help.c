@@ -7,7 +7,15 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-enum { NARROWEST = 48, WIDEST = 110, USUAL = 80, INDENT = 2, COLUMN = 28, LINE = 512 };
+enum { NARROWEST = 48, WIDEST = 110, USUAL = 80, INDENT = 2, COLUMN = 28, LINE = CLI_HELP_LINE };
+
+/* Where help goes belongs to the process, as the terminal does. */
+static const cli_help_listener *heard;
+
+void cli_help_listen(const cli_help_listener *listener)
+{
+    heard = listener;
+}
 
 static int terminal_width(void)
 {
@@ -60,8 +68,21 @@ static void print_wrapped(const char *text, int indent, int at)
     putchar('\n');
 }
 
+void cli_help_usage(const char *usage)
+{
+    if (heard != NULL) {
+        heard->usage(heard->user, usage);
+        return;
+    }
+    printf("Usage: ductus %s\n\n", usage);
+}
+
 void cli_help_text(const char *text)
 {
+    if (heard != NULL) {
+        heard->text(heard->user, text);
+        return;
+    }
     print_wrapped(text, 0, 0);
 }
 
@@ -79,10 +100,14 @@ static void print_row(int indent, const char *name, const char *text, int column
 
 void cli_help_row(const char *name, const char *text, int column)
 {
+    if (heard != NULL) {
+        heard->row(heard->user, name, text);
+        return;
+    }
     print_row(INDENT, name, text, column);
 }
 
-static void name_of(const cli_option *option, char name[LINE])
+void cli_help_name(const cli_option *option, char name[LINE])
 {
     const duct_param *param = option->param;
     char letter[8] = "";
@@ -98,7 +123,7 @@ static void name_of(const cli_option *option, char name[LINE])
 }
 
 /* "0 to 10 pixels, default 5" */
-static void facts_of(const cli_option *option, char facts[LINE])
+void cli_help_facts(const cli_option *option, char facts[LINE])
 {
     const duct_param *param = option->param;
     const char *fallback = param != NULL ? param->fallback : option->fallback;
@@ -143,8 +168,8 @@ static void print_choices(const cli_option *option)
 static void print_option(const cli_option *option)
 {
     char name[LINE], facts[LINE], text[4 * LINE];
-    name_of(option, name);
-    facts_of(option, facts);
+    cli_help_name(option, name);
+    cli_help_facts(option, facts);
     snprintf(text, sizeof text, "%s%s%s%s", option->help, facts[0] != '\0' ? " (" : "", facts,
              facts[0] != '\0' ? ")" : "");
     print_row(INDENT, name, text, COLUMN);
@@ -153,6 +178,10 @@ static void print_option(const cli_option *option)
 
 void cli_help_options(const cli_option_list *options)
 {
+    if (heard != NULL) {
+        heard->options(heard->user, options);
+        return;
+    }
     for (size_t i = 0; i < options->count; i++) {
         const char *group = options->items[i].group;
         bool seen = false;

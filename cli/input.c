@@ -17,6 +17,7 @@ const cli_option cli_input_options[] = {
      .kind = CLI_TEXT,
      .value = "FORMAT",
      .group = "Reading",
+     .completes = CLI_COMPLETES_READABLE,
      .help = "The format of the input (svg, inkml, ...). Without it: told by the content, then by the file's "
              "ending."},
     {.name = "flatten-tolerance",

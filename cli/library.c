@@ -4,6 +4,7 @@
 #include "input.h"
 #include "json.h"
 #include "message.h"
+#include "report.h"
 #include "session.h"
 
 #include <ductus/library.h>
@@ -23,16 +24,19 @@ static const cli_option BUILD[] = {
     {.name = "name",
      .kind = CLI_TEXT,
      .value = "TEXT",
+     .completes = CLI_COMPLETES_NOTHING,
      .group = "Library",
      .help = "The hand's name. Without it: the recording's."},
     {.name = "artist",
      .kind = CLI_TEXT,
      .value = "TEXT",
+     .completes = CLI_COMPLETES_NOTHING,
      .group = "Library",
      .help = "Whose hand it is. Without it: what the recording says."},
     {.name = "licence",
      .kind = CLI_TEXT,
      .value = "TEXT",
+     .completes = CLI_COMPLETES_NOTHING,
      .group = "Library",
      .help = "What others may do with it. Without it: what the recording says."},
     {.name = "unit",
@@ -44,6 +48,30 @@ static const cli_option BUILD[] = {
      .help =
          "Distance of neighbouring samples in the recording's pixels; 0: the median stroke gets 60 samples.",
      .fallback = "0"},
+    {.name = "weights",
+     .kind = CLI_TEXT,
+     .value = "W,W,...",
+     .completes = CLI_COMPLETES_NOTHING,
+     .group = "Library",
+     .help = "A weight for each recording, in their order: strokes of one that weighs 2 are taken where they "
+             "are up "
+             "to twice as far from the shape that is asked for.",
+     .fallback = "1 each"},
+    {.name = "scales",
+     .kind = CLI_TEXT,
+     .value = "S,S,...",
+     .completes = CLI_COMPLETES_NOTHING,
+     .group = "Library",
+     .help = "Enriches the library: each stroke in each of these sizes, such as 0.5,1,1.5. Restyling takes "
+             "that many "
+             "times as long, and seldom looks better: the authors of HelpingHand saw no significant gain.",
+     .fallback = "1"},
+    {.name = "remove-position",
+     .kind = CLI_FLAG,
+     .group = "Library",
+     .help = "Takes out of pressure, tilt and rotation what depends on the place on the page, and leaves "
+             "what depends "
+             "on the stroke; for a hand that turns as it moves across a large tablet."},
 };
 
 static const cli_option JSON[] = {
@@ -60,13 +88,55 @@ static int read_recordings(const cli_session *session, const cli_arguments *argu
     return result;
 }
 
-static int write_library(const cli_session *session, const cli_arguments *arguments, duct_drawing **drawings)
+/* Numbers separated by commas. */
+typedef struct {
+    double *items;
+    size_t count;
+} numbers;
+
+/* Reads the value of an option, which may be missing: then there are none. Each must lie in minimum..maximum.
+ */
+static int read_numbers(const cli_arguments *arguments, const char *option, double minimum, double maximum,
+                        numbers *list)
+{
+    const char *text = cli_text(arguments, option);
+    size_t size = text != NULL ? strlen(text) : 0;
+    *list = (numbers){NULL, 0};
+    if (text == NULL) {
+        return CLI_DONE;
+    }
+    list->items = malloc((size / 2 + 1) * sizeof *list->items);
+    char *copy = malloc(size + 1);
+    int result = list->items != NULL && copy != NULL ? CLI_DONE : cli_fail_memory();
+    for (size_t at = 0; result == CLI_DONE && at <= size;) {
+        size_t length = strcspn(text + at, ",");
+        double number;
+        memcpy(copy, text + at, length);
+        copy[length] = '\0';
+        if (!cli_parse_number(copy, &number) || number < minimum || number > maximum) {
+            result = cli_misused("library build: --%s '%s': give numbers from %g to %g, separated by commas",
+                                 option, text, minimum, maximum);
+        } else {
+            list->items[list->count++] = number;
+        }
+        at += length + 1;
+    }
+    free(copy);
+    return result;
+}
+
+static int write_library(const cli_session *session, const cli_arguments *arguments, duct_drawing **drawings,
+                         const numbers *scales, const numbers *weights)
 {
     const char *path = cli_text(arguments, "output");
     duct_library_options options = {.unit = cli_number(arguments, "unit", 0),
                                     .name = cli_text(arguments, "name"),
                                     .artist = cli_text(arguments, "artist"),
-                                    .licence = cli_text(arguments, "licence")};
+                                    .licence = cli_text(arguments, "licence"),
+                                    .remove_position = cli_text(arguments, "remove-position") != NULL,
+                                    .scales = scales->items,
+                                    .scale_count = scales->count,
+                                    .weights = weights->count > 0 ? weights->items : NULL};
     duct_library *library = NULL;
     duct_error error = {DUCT_OK, ""};
     cli_progress_phase("building the library");
@@ -89,6 +159,23 @@ static int write_library(const cli_session *session, const cli_arguments *argume
     return result;
 }
 
+static int build_read(const cli_arguments *arguments, const numbers *scales, const numbers *weights)
+{
+    cli_session session;
+    cli_session_begin(&session, arguments);
+    duct_drawing **drawings = calloc(arguments->input_count, sizeof *drawings);
+    if (drawings == NULL) {
+        return cli_fail_memory();
+    }
+    int result = read_recordings(&session, arguments, drawings);
+    result = result != CLI_DONE ? result : write_library(&session, arguments, drawings, scales, weights);
+    for (size_t i = 0; i < arguments->input_count; i++) {
+        duct_drawing_free(drawings[i]);
+    }
+    free(drawings);
+    return result;
+}
+
 static int build_checked(const cli_arguments *arguments, const char *command)
 {
     const char *path = cli_text(arguments, "output");
@@ -99,22 +186,23 @@ static int build_checked(const cli_arguments *arguments, const char *command)
     if (dot == NULL || strcasecmp(dot, ".inkml") != 0) {
         return cli_misused("%s: say where to write: -o LIB.inkml", command);
     }
-    cli_session session;
-    cli_session_begin(&session, arguments);
     int result = cli_input_check(arguments, command);
     if (result != CLI_DONE) {
         return result;
     }
-    duct_drawing **drawings = calloc(arguments->input_count, sizeof *drawings);
-    if (drawings == NULL) {
-        return cli_fail_memory();
+    numbers scales, weights = {NULL, 0};
+    result = read_numbers(arguments, "scales", 0.01, 100, &scales);
+    result = result != CLI_DONE ? result : read_numbers(arguments, "weights", 0.001, 1000, &weights);
+    if (result == CLI_DONE && scales.count > 16) {
+        result = cli_misused("%s: --scales: 16 at most", command);
     }
-    result = read_recordings(&session, arguments, drawings);
-    result = result != CLI_DONE ? result : write_library(&session, arguments, drawings);
-    for (size_t i = 0; i < arguments->input_count; i++) {
-        duct_drawing_free(drawings[i]);
+    if (result == CLI_DONE && weights.count > 0 && weights.count != arguments->input_count) {
+        result = cli_misused("%s: --weights: there are %zu weights for %zu recordings", command,
+                             weights.count, arguments->input_count);
     }
-    free(drawings);
+    result = result != CLI_DONE ? result : build_read(arguments, &scales, &weights);
+    free(scales.items);
+    free(weights.items);
     return result;
 }
 
@@ -128,7 +216,7 @@ static int build(int count, char **words)
     cli_options_add(&options, cli_session_options, cli_session_option_count);
     int result = cli_arguments_read(&arguments, &options, COMMAND, count, words);
     if (result == CLI_DONE && arguments.help) {
-        puts("Usage: ductus library build IN... -o LIB.inkml [OPTION...]\n");
+        cli_help_usage("library build IN... -o LIB.inkml [OPTION...]");
         cli_help_text("Makes a stroke library of one person's recordings: strokes resampled uniformly in arc "
                       "length, and beside it the index that finds them.");
         cli_help_options(&options);
@@ -241,7 +329,7 @@ static int list(int count, char **words)
     cli_options_add(&options, JSON, 1);
     int result = cli_arguments_read(&arguments, &options, "library list", count, words);
     if (result == CLI_DONE && arguments.help) {
-        puts("Usage: ductus library list [--json]\n");
+        cli_help_usage("library list [--json]");
         cli_help_text("Lists the hands that can be named: the built-in ones, which are synthetic, and yours "
                       "in $XDG_DATA_HOME/ductus/hands (~/.local/share/ductus/hands).");
         cli_help_options(&options);
@@ -261,6 +349,7 @@ static const struct {
     const char *summary;
 } PARTS[] = {
     {"build", build, "Make a library of one person's recordings."},
+    {"report", cli_library_report, "Tell what libraries are good for, and how alike they are."},
     {"list", list, "List the hands that can be named."},
 };
 enum { PART_COUNT = sizeof PARTS / sizeof *PARTS };
@@ -274,7 +363,7 @@ static const char *part_at(const void *unused, size_t index)
 int cli_library(int count, char **words)
 {
     if (count == 0) {
-        return cli_misused("library: say what to do: build or list; see ductus library --help");
+        return cli_misused("library: say what to do: build, report or list; see ductus library --help");
     }
     for (size_t i = 0; i < PART_COUNT; i++) {
         if (strcmp(words[0], PARTS[i].name) == 0) {
@@ -282,7 +371,7 @@ int cli_library(int count, char **words)
         }
     }
     if (strcmp(words[0], "--help") == 0 || strcmp(words[0], "-h") == 0) {
-        puts("Usage: ductus library COMMAND ...\n");
+        cli_help_usage("library COMMAND ...");
         for (size_t i = 0; i < PART_COUNT; i++) {
             cli_help_row(PARTS[i].name, PARTS[i].summary, 14);
         }
@@ -291,5 +380,5 @@ int cli_library(int count, char **words)
     const char *nearest = cli_nearest(words[0], part_at, NULL);
     return nearest != NULL
                ? cli_misused("library: there is no command '%s'; did you mean '%s'?", words[0], nearest)
-               : cli_misused("library: there is no command '%s'; there are build and list", words[0]);
+               : cli_misused("library: there is no command '%s'; there are build, report and list", words[0]);
 }

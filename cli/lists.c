@@ -25,7 +25,9 @@ static bool read_words(const char *command, const char *summary, int count, char
     *result = cli_arguments_read(&arguments, &options, command, count, words);
     bool go_on = false;
     if (*result == CLI_DONE && arguments.help) {
-        printf("Usage: ductus %s [--json]\n\n", command);
+        char usage[64];
+        snprintf(usage, sizeof usage, "%s [--json]", command);
+        cli_help_usage(usage);
         cli_help_text(summary);
         cli_help_options(&options);
     } else if (*result == CLI_DONE && arguments.input_count > 0) {

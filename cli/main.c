@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "commands.h"
 #include "help.h"
+#include "manual.h"
 #include "message.h"
 
 #include <ductus/ductus.h>
@@ -10,29 +11,14 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The command `ductus`. Operations come from the library's tables; the commands below are the rest. */
+/* The command `ductus`. Operations come from the library's tables; the commands are listed in commands.c. */
 
-static const struct {
-    const char *name;
-    int (*run)(int count, char **words);
-    const char *summary;
-} COMMANDS[] = {
-    {"render", cli_render, "Paint drawings with the brush engine."},
-    {"convert", cli_convert, "Write drawings in another format."},
-    {"library", cli_library, "Make and list stroke libraries (hands)."},
-    {"brushes", cli_brushes, "List the brushes."},
-    {"ops", cli_operations, "List the operations and their parameters."},
-};
-enum { COMMAND_COUNT = sizeof COMMANDS / sizeof *COMMANDS, COLUMN = 16 };
+enum { COLUMN = 16 };
 
 static const char *command_at(const void *unused, size_t index)
 {
     (void)unused;
-    if (index < COMMAND_COUNT) {
-        return COMMANDS[index].name;
-    }
-    const duct_operation *operation = duct_operation_at(index - COMMAND_COUNT);
-    return operation != NULL ? operation->id : NULL;
+    return cli_command_name(index);
 }
 
 static int print_help(void)
@@ -47,11 +33,12 @@ static int print_help(void)
         cli_help_row(operation->id, operation->summary, COLUMN);
     }
     puts("\nOther commands:");
-    for (size_t i = 0; i < COMMAND_COUNT; i++) {
-        cli_help_row(COMMANDS[i].name, COMMANDS[i].summary, COLUMN);
+    for (size_t i = 0; i < cli_command_count; i++) {
+        cli_help_row(cli_commands[i].name, cli_commands[i].summary, COLUMN);
     }
     puts("");
-    cli_help_text("'ductus COMMAND --help' says more about each; 'ductus --version' prints the version.");
+    cli_help_text("'ductus COMMAND --help' says more about each; 'ductus help --man' prints the manual page, "
+                  "'ductus --version' the version.");
     return CLI_DONE;
 }
 
@@ -70,21 +57,17 @@ static int run(int count, char **words)
         if (count == 1 || words[0][0] == '-') {
             return print_help();
         }
+        if (strcmp(words[1], "--man") == 0) {
+            return cli_manual_print();
+        }
         helped[0] = words[1];
         helped[1] = help;
         words = helped;
         count = 2;
     }
-    for (size_t i = 0; i < COMMAND_COUNT; i++) {
-        if (strcmp(words[0], COMMANDS[i].name) == 0) {
-            return COMMANDS[i].run(count - 1, words + 1);
-        }
-    }
-    const duct_operation *operation;
-    for (size_t i = 0; (operation = duct_operation_at(i)) != NULL; i++) {
-        if (strcmp(words[0], operation->id) == 0) {
-            return cli_operate(operation, count - 1, words + 1);
-        }
+    int result;
+    if (cli_command_run(words[0], count - 1, words + 1, &result)) {
+        return result;
     }
     const char *kind = words[0][0] == '-' ? "option" : "command";
     const char *nearest = cli_nearest(words[0], command_at, NULL);

@@ -84,7 +84,9 @@ static void make_options(cli_option_list *list, const duct_operation *operation)
 
 static int print_help(const duct_operation *operation, const cli_option_list *options)
 {
-    printf("Usage: ductus %s [OPTION...] IN... -o OUT\n\n", operation->id);
+    char usage[128];
+    snprintf(usage, sizeof usage, "%s [OPTION...] IN... -o OUT", operation->id);
+    cli_help_usage(usage);
     cli_help_text(operation->summary);
     cli_help_options(options);
     return CLI_DONE;

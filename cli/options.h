@@ -19,6 +19,16 @@ typedef enum cli_kind {
     CLI_PARAM   /* an operation's parameter that takes a value: the library checks it */
 } cli_kind;
 
+/* What a shell offers for a value of CLI_TEXT. */
+typedef enum cli_completion {
+    CLI_COMPLETES_FILES,
+    CLI_COMPLETES_NOTHING,
+    CLI_COMPLETES_HANDS,    /* and files */
+    CLI_COMPLETES_BRUSHES,  /* and files */
+    CLI_COMPLETES_READABLE, /* the formats' names */
+    CLI_COMPLETES_WRITABLE
+} cli_completion;
+
 typedef struct cli_option {
     const char *name; /* without its dashes */
     char letter;      /* the short form, or 0 */
@@ -27,8 +37,9 @@ typedef struct cli_option {
     double minimum, maximum;
     const char *choices; /* for CLI_CHOICE: words separated by spaces */
     const char *help;
-    const char *fallback;      /* what happens without it, for help; NULL: help says nothing */
-    const char *group;         /* the heading in help */
+    const char *fallback; /* what happens without it, for help; NULL: help says nothing */
+    const char *group;    /* the heading in help */
+    cli_completion completes;
     const duct_param *param;   /* where the option is an operation's parameter */
     const duct_preset *preset; /* where it chooses one of an operation's presets: the first of them */
     size_t preset_count;

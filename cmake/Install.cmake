@@ -16,6 +16,11 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/core/include/ductus DESTINATION ${CMAKE_
         FILES_MATCHING PATTERN "*.h")
 install(FILES ${CMAKE_BINARY_DIR}/include/ductus/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ductus)
 install(DIRECTORY ${DUCTUS_BUILD_DATA}/hands DESTINATION ${CMAKE_INSTALL_DATADIR}/ductus)
+install(FILES ${CMAKE_BINARY_DIR}/share/man/man1/ductus.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+foreach(script bash-completion/completions/ductus zsh/site-functions/_ductus fish/vendor_completions.d/ductus.fish)
+  get_filename_component(folder ${script} DIRECTORY)
+  install(FILES ${CMAKE_BINARY_DIR}/share/${script} DESTINATION ${CMAKE_INSTALL_DATADIR}/${folder})
+endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 install(EXPORT ductusTargets NAMESPACE ductus:: DESTINATION ${ductus_package_folder})

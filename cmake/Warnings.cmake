@@ -1,7 +1,7 @@
 # Options for all our code, and for none of the headers of others.
 add_library(ductus_options INTERFACE)
 target_compile_options(ductus_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Werror
+  -Wall -Wextra -Wpedantic -Wshadow $<$<BOOL:${DUCTUS_WERROR}>:-Werror>
   $<$<COMPILE_LANGUAGE:C>:-Wconversion -Wstrict-prototypes -Wmissing-prototypes>
   # The same bytes whatever the optimisation level and processor: no fused multiply-add behind our back.
   -ffp-contract=off -fno-math-errno -fvisibility=hidden)

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 
+#include "base/text.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -32,25 +34,30 @@ const char *duct_status_text(duct_status status)
     return "unknown status";
 }
 
-/* Cuts a UTF-8 text that was truncated in the middle of a character, and makes it a single printable line. */
+/* Makes a message a single printable line of UTF-8, whatever was quoted in it and wherever it was cut. */
 static void tidy(char *message)
 {
-    size_t length = strlen(message);
-    for (size_t i = 0; i < length; i++) {
-        if ((unsigned char)message[i] < 0x20 || message[i] == 0x7f) {
-            message[i] = '?';
+    char continuation[65] = "";
+    for (int i = 0; i < 64; i++) {
+        continuation[i] = (char)(0x80 + i);
+    }
+    char *to = message;
+    for (const char *from = message; *from != '\0';) {
+        size_t size = duct_utf8_character(from);
+        bool control = (unsigned char)*from < 0x20 || *from == 0x7f;
+        if (size == 0 && (unsigned char)*from >= 0xc2 && from[1 + strspn(from + 1, continuation)] == '\0') {
+            break; /* the message was cut within this character */
+        }
+        if (size == 0 || control) {
+            *to++ = '?';
+            from++;
+        } else {
+            memmove(to, from, size);
+            to += size;
+            from += size;
         }
     }
-    if (length + 1 < DUCT_ERROR_SIZE) {
-        return;
-    }
-    size_t start = length;
-    while (start > 0 && ((unsigned char)message[start - 1] & 0xc0) == 0x80) {
-        start--;
-    }
-    if (start > 0 && (unsigned char)message[start - 1] >= 0xc0) {
-        message[start - 1] = '\0';
-    }
+    *to = '\0';
 }
 
 duct_status duct_fail(duct_error *error, duct_status status, const char *format, ...)

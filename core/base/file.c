@@ -158,10 +158,14 @@ duct_status duct_file_write(const duct_allocator *allocator, const char *path, c
     if (direct && S_ISDIR(facts.st_mode)) {
         return duct_fail(error, DUCT_IO, "%s: is a folder; give the name of a file", path);
     }
+    /* A symbolic link stays one: the file that it points to is replaced. */
+    char *real = direct ? NULL : realpath(path, NULL);
+    path = real != NULL ? real : path;
     char *beside = NULL;
     if (!direct) {
         duct_status status = duct_file_beside(allocator, path, &beside, error);
         if (status != DUCT_OK) {
+            free(real);
             return status;
         }
     }
@@ -181,6 +185,7 @@ duct_status duct_file_write(const duct_allocator *allocator, const char *path, c
         status = duct_file_commit(beside, path, error);
     }
     duct_release(allocator, beside);
+    free(real);
     return status;
 }
 

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/memory.h"
 
-#include <ductus/format.h>
-
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>

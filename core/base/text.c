@@ -82,22 +82,32 @@ void duct_text_add_fixed(duct_text *text, double number, int decimals)
     duct_text_add(text, buffer);
 }
 
-/* The bytes of the UTF-8 character at `s`; 0 where there is none that XML allows. */
-static size_t xml_character(const char *s)
+size_t duct_utf8_character(const char *string)
 {
-    const unsigned char *u = (const unsigned char *)s;
+    const unsigned char *u = (const unsigned char *)string;
+    if (u[0] == 0) {
+        return 0;
+    }
     size_t size = u[0] < 0x80 ? 1 : u[0] < 0xc2 ? 0 : u[0] < 0xe0 ? 2 : u[0] < 0xf0 ? 3 : u[0] < 0xf5 ? 4 : 0;
     for (size_t i = 1; i < size; i++) {
         if ((u[i] & 0xc0) != 0x80) {
             return 0;
         }
     }
-    bool control = u[0] < 0x20 && u[0] != '\t' && u[0] != '\n';
     bool overlong = (u[0] == 0xe0 && u[1] < 0xa0) || (u[0] == 0xf0 && u[1] < 0x90);
     bool surrogate = u[0] == 0xed && u[1] >= 0xa0;
     bool beyond = u[0] == 0xf4 && u[1] >= 0x90;
-    bool none = u[0] == 0xef && u[1] == 0xbf && u[2] >= 0xbe;
-    return control || overlong || surrogate || beyond || none ? 0 : size;
+    return overlong || surrogate || beyond ? 0 : size;
+}
+
+/* The same for the characters that XML allows. */
+static size_t xml_character(const char *s)
+{
+    const unsigned char *u = (const unsigned char *)s;
+    size_t size = duct_utf8_character(s);
+    bool control = u[0] < 0x20 && u[0] != '\t' && u[0] != '\n';
+    bool none = size == 3 && u[0] == 0xef && u[1] == 0xbf && u[2] >= 0xbe;
+    return control || none ? 0 : size;
 }
 
 void duct_text_add_xml(duct_text *text, const char *string)
@@ -132,15 +142,19 @@ void duct_text_add_xml(duct_text *text, const char *string)
 void duct_text_add_json(duct_text *text, const char *string)
 {
     duct_text_add(text, "\"");
-    for (const char *s = string; *s != '\0'; s++) {
-        if (*s == '"' || *s == '\\') {
-            duct_text_add(text, "\\");
-            duct_text_add_bytes(text, s, 1);
+    for (const char *s = string; *s != '\0';) {
+        size_t size = duct_utf8_character(s);
+        if (size == 0) {
+            duct_text_add(text, "\xef\xbf\xbd");
         } else if ((unsigned char)*s < 0x20) {
             duct_text_addf(text, "\\u%04x", (unsigned)*s);
         } else {
-            duct_text_add_bytes(text, s, 1);
+            if (*s == '"' || *s == '\\') {
+                duct_text_add(text, "\\");
+            }
+            duct_text_add_bytes(text, s, size);
         }
+        s += size > 0 ? size : 1;
     }
     duct_text_add(text, "\"");
 }

@@ -33,8 +33,11 @@ void duct_text_add_fixed(duct_text *text, double number, int decimals);
 /* The text with the five special characters of XML escaped, and characters that XML forbids left out. */
 void duct_text_add_xml(duct_text *text, const char *string);
 
-/* The text as a JSON string with its quotes. */
+/* The text as a JSON string with its quotes; bytes that are no UTF-8 become U+FFFD. */
 void duct_text_add_json(duct_text *text, const char *string);
+
+/* The bytes of the UTF-8 character at `string`; 0 where there is none, or the end. */
+size_t duct_utf8_character(const char *string);
 
 /* Takes the data out: the caller owns it; NULL where an allocation failed. An empty text gives "". */
 char *duct_text_take(duct_text *text, size_t *size);

@@ -162,7 +162,8 @@ static duct_status read_section(duct_brush *brush, json_object *section, duct_er
 {
     duct_tuft *tuft = &brush->tuft;
     *tuft = (duct_tuft){0, 1, 0, 0.6, 0.6, 0.7, 1, 0.5, 40, 0.1};
-    double bristles = 0, wash = 0;
+    brush->grain = (duct_grain){0, 2, 1};
+    double bristles = 0, wash = 0, tip = 0;
     const struct {
         const char *name;
         double *value, least, most;
@@ -178,6 +179,11 @@ static duct_status read_section(duct_brush *brush, json_object *section, duct_er
         {"dryness", &tuft->dryness, 0, 1},
         {"ink", &tuft->ink, 0, largest},
         {"colour", &tuft->colour, 0, 1},
+        {"tip", &tip, 0, 1},
+        {"side", &brush->side, 0, 12},
+        {"grain", &brush->grain.depth, 0, 8},
+        {"grain_size", &brush->grain.size, 0.1, 1000},
+        {"cover", &brush->grain.cover, 0, 1},
     };
     if (!json_object_is_type(section, json_type_object)) {
         return duct_fail(error, DUCT_BAD_FORMAT, "the \"ductus\" section is not an object");
@@ -198,7 +204,8 @@ static duct_status read_section(duct_brush *brush, json_object *section, duct_er
         *numbers[i].value = value;
     }
     tuft->bristles = (int)bristles;
-    brush->wash = wash > 0;
+    brush->tip = tip > 0;
+    brush->wash = wash > 0 || brush->tip;
     return DUCT_OK;
 }
 

@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 #include "brush/canvas.h"
+#include "brush/grain.h"
 
 #include <mypaint-brush.h>
 
@@ -35,7 +36,10 @@ struct duct_brush {
     duct_curve *curves;
     size_t curve_count, curve_capacity;
     duct_tuft tuft;
-    bool wash; /* from the "ductus" section: dabs of one stroke do not build up */
+    bool wash;        /* from the "ductus" section, as all below: dabs of one stroke do not build up */
+    bool tip;         /* a drawing tip, which takes ratio, angle and tilt from `tuft` */
+    double side;      /* how much longer a tip's mark gets as it leans, in widths */
+    duct_grain grain; /* depth 0 and cover 1: none */
 };
 
 /* Fills a brush from the content of a .myb file. Sentences say what is wrong, not in which file. */
@@ -48,6 +52,10 @@ double duct_brush_radius(const duct_brush *brush, const duct_stroke *stroke,
 /* Paints with libmypaint, opaque, on `target`. */
 duct_status duct_engine_paint(duct_canvas *target, const duct_brush *brush, const duct_stroke *stroke,
                               const duct_paint_options *options, duct_error *error);
+
+/* Paints with a drawing tip, opaque, on `target`. */
+duct_status duct_tip_paint(duct_canvas *target, const duct_brush *brush, const duct_stroke *stroke,
+                           const duct_paint_options *options, duct_error *error);
 
 /* Paints with a tuft, opaque, on `target`. */
 duct_status duct_bristle_paint(duct_canvas *target, const duct_brush *brush, const duct_stroke *stroke,

@@ -42,8 +42,11 @@ static bool depends_on_canvas(const duct_brush *brush)
 static duct_status paint_on(duct_canvas *target, const duct_brush *brush, const duct_stroke *stroke,
                             const duct_paint_options *options, duct_error *error)
 {
-    duct_status status = brush->tuft.bristles > 0 ? duct_bristle_paint(target, brush, stroke, options, error)
-                                                  : duct_engine_paint(target, brush, stroke, options, error);
+    duct_status (*paint)(duct_canvas *, const duct_brush *, const duct_stroke *, const duct_paint_options *,
+                         duct_error *) = brush->tip                 ? duct_tip_paint
+                                         : brush->tuft.bristles > 0 ? duct_bristle_paint
+                                                                    : duct_engine_paint;
+    duct_status status = paint(target, brush, stroke, options, error);
     if (status == DUCT_OK && target->failed) {
         status = duct_fail_memory(error);
     }
@@ -62,9 +65,10 @@ duct_status duct_canvas_paint(duct_canvas *canvas, const duct_brush *brush, cons
         return DUCT_OK;
     }
     canvas->failed = false;
-    /* A translucent stroke does not show where it crosses itself: it is painted apart and laid over as a
-     * whole. */
-    if (depends_on_canvas(brush) || (opacity >= 1 && !brush->wash)) {
+    /* A translucent stroke does not show where it crosses itself, and paper takes a stroke as a whole: it is
+     * painted apart and laid over. */
+    const bool grainy = brush->grain.depth > 0 || (brush->grain.size > 0 && brush->grain.cover < 1);
+    if (depends_on_canvas(brush) || (opacity >= 1 && !brush->wash && !grainy)) {
         return paint_on(canvas, brush, stroke, &used, error);
     }
     duct_canvas *layer = duct_canvas_layer(canvas);
@@ -73,6 +77,9 @@ duct_status duct_canvas_paint(duct_canvas *canvas, const duct_brush *brush, cons
     }
     layer->failed = false;
     duct_status status = paint_on(layer, brush, stroke, &used, error);
+    if (grainy) {
+        duct_grain_apply(layer, &brush->grain, &used);
+    }
     duct_canvas_merge(canvas, layer, fmin(opacity, 1));
     return status == DUCT_OK && canvas->failed ? duct_fail_memory(error) : status;
 }

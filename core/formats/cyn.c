@@ -9,10 +9,10 @@
  *
  * Time is in seconds, x and y are fractions of the canvas (y down), which is taken as a page of 2000 x 2000
  * pixels, as the paper does; rotation is in degrees. Tilt -1..1 stands for -60..60 degrees, the full scale of
- * Wacom's drivers, which is also what libmypaint takes. Tilt y and rotation are measured with y up, unlike the
- * positions and unlike Pointer Events: in the recordings the pens of right-handed writers lean "away" from
- * them and turn back as the hand moves to the right, which no hand does. So both change their sign here. A
- * channel that is 0 throughout a file was not recorded and is absent (the two tilts together). */
+ * Wacom's drivers, which is also what libmypaint takes. Tilt y and rotation are measured with y up, unlike
+ * the positions and unlike Pointer Events: in the recordings the pens of right-handed writers lean "away"
+ * from them and turn back as the hand moves to the right, which no hand does. So both change their sign here.
+ * A channel that is 0 throughout a file was not recorded and is absent (the two tilts together). */
 #include "base/error.h"
 #include "base/number.h"
 #include "formats/format_private.h"

@@ -13,9 +13,10 @@ typedef struct duct_format_impl {
     /* True where the content surely is of this format. `data` is terminated by a 0 byte. */
     bool (*sniff)(const char *data, size_t size);
 
-    /* Fills an empty drawing from the file's content (terminated by a 0 byte). Sentences say where in the file
-     * ("line 12: stroke 3: ..."), not in which file: the caller puts the name before them. On failure the drawing
-     * may be half full: the caller frees it. NULL where the format is not read. */
+    /* Fills an empty drawing from the file's content (terminated by a 0 byte). Sentences say where in the
+     * file
+     * ("line 12: stroke 3: ..."), not in which file: the caller puts the name before them. On failure the
+     * drawing may be half full: the caller frees it. NULL where the format is not read. */
     duct_status (*read)(const duct_context *context, const char *data, size_t size,
                         const duct_format_options *options, duct_drawing *drawing, duct_error *error);
 

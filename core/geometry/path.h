@@ -7,8 +7,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* A vector path: subpaths of straight lines and cubic Bezier curves. A failed allocation sets `failed` and makes all
- * further calls do nothing, so that a maker checks once at its end. */
+/* A vector path: subpaths of straight lines and cubic Bezier curves. A failed allocation sets `failed` and
+ * makes all further calls do nothing, so that a maker checks once at its end. */
 typedef enum duct_path_verb {
     DUCT_PATH_MOVE,  /* 1 point */
     DUCT_PATH_LINE,  /* 1 point */
@@ -32,7 +32,8 @@ void duct_path_line(duct_path *path, double x, double y);
 void duct_path_cubic(duct_path *path, double x1, double y1, double x2, double y2, double x, double y);
 void duct_path_close(duct_path *path);
 
-/* Adds the path as the value of an SVG `d` attribute: absolute commands, `decimals` digits behind the point. */
+/* Adds the path as the value of an SVG `d` attribute: absolute commands, `decimals` digits behind the point.
+ */
 void duct_path_svg(const duct_path *path, int decimals, duct_text *text);
 
 /* How many nodes an editor shows: moves, line ends and curve ends. */

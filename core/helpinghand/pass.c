@@ -62,6 +62,9 @@ static void trace_pass(duct_json *trace, const duct_helpinghand *hand, const duc
             trace_vector(trace, space, columns->items[n].sample);
         }
         duct_json_close(trace, ']');
+        if (chosen == NULL && hand->options.select == DUCT_SELECT_CLOSEST) {
+            trace_place(trace, "chosen", hand->library, &columns->items[columns->starts[i]]);
+        }
         if (chosen != NULL) {
             trace_place(trace, "chosen", hand->library, &columns->items[chosen[i]]);
             if (i + 1 < columns->count) {

@@ -161,9 +161,10 @@ static duct_status run_passes(const duct_helpinghand *hand, const duct_stroke *s
     return status;
 }
 
-/* A stroke that would have more samples than this is compared at a coarser scale: each costs some kilobytes.
- */
-#define MOST_SAMPLES 131072.0
+/* The most samples that a stroke is compared at: each costs a kilobyte or two and some 50 microseconds. Where
+ * the scale is the program's choice, longer strokes get a coarser one. */
+#define MOST_REFINED 32768.0
+#define MOST_SAMPLES 1048576.0
 
 /* How sharply a sampled line turns from sample to sample, radians: on average, and what a tenth of them
  * exceed. */
@@ -204,14 +205,13 @@ static duct_status sample_query(const duct_helpinghand *hand, const duct_stroke 
 {
     const double gentle = 12 * M_PI / 180, sharp = 35 * M_PI / 180, shrink = 0.7;
     const int most = 8;
-    double coarsest = duct_stroke_length(stroke) / MOST_SAMPLES;
-    if (coarsest > *unit && isfinite(coarsest)) {
-        if (!hand->refine) {
-            return duct_fail(error, DUCT_LIMIT,
-                             "stroke '%.60s' is too long for its scale: %.3g samples; give a larger scale",
-                             duct_stroke_id(stroke), coarsest * MOST_SAMPLES / *unit);
-        }
-        *unit = coarsest;
+    double length = duct_stroke_length(stroke);
+    if (hand->refine && length / *unit > MOST_REFINED && isfinite(length)) {
+        *unit = length / MOST_REFINED;
+    } else if (length / *unit > MOST_SAMPLES) {
+        return duct_fail(error, DUCT_LIMIT,
+                         "stroke '%.60s' is too long for its scale: %.3g samples; give a larger scale",
+                         duct_stroke_id(stroke), length / *unit);
     }
     duct_status status = duct_samples_make(&hand->allocator, stroke, *unit, query, error);
     bool recorded = duct_stroke_values(stroke, DUCT_T) != NULL;
@@ -220,7 +220,7 @@ static duct_status sample_query(const duct_helpinghand *hand, const duct_stroke 
     }
     turning now;
     status = measure_turning(&hand->allocator, query, &now, error);
-    for (int i = 0; status == DUCT_OK && i < most && (double)query->count < MOST_SAMPLES / 2 &&
+    for (int i = 0; status == DUCT_OK && i < most && (double)query->count < MOST_REFINED / 2 &&
                     (query->count < 8 || now.mean > gentle || now.high > sharp);
          i++) {
         duct_samples finer;

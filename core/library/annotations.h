@@ -6,6 +6,7 @@
 #define DUCT_ANNOTATION_NAME "name"
 #define DUCT_ANNOTATION_ARTIST "artist"
 #define DUCT_ANNOTATION_LICENCE "licence"
-#define DUCT_ANNOTATION_UNIT "ductus-unit" /* recording pixels a sampling unit */
+#define DUCT_ANNOTATION_UNIT "ductus-unit"       /* recording pixels a sampling unit */
+#define DUCT_ANNOTATION_WEIGHTS "ductus-weights" /* of the strokes: see library/weights.h */
 
 #endif

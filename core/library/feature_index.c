@@ -62,7 +62,7 @@ static duct_status make_search(const duct_library *library, const void *arg, voi
     const search_arg *self = arg;
     duct_search *search;
     duct_status status = duct_search_new(&library->allocator, self->kind, self->rows, library->sample_count,
-                                         self->dimensions, &search, error);
+                                         self->dimensions, library->starts, &search, error);
     if (status == DUCT_OK) {
         *data = search;
     }

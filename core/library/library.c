@@ -2,136 +2,12 @@
 #include "library/library_private.h"
 
 #include "base/error.h"
-#include "base/number.h"
-#include "base/text.h"
-#include "geometry/resample.h"
 #include "geometry/statistics.h"
-#include "library/annotations.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-/* Where the median stroke has this many samples, the paper's patches, costs and windows have the sizes it
- * gives. */
-enum { MEDIAN_SAMPLES = 60 };
-
 static const duct_channel pose_channels[] = {DUCT_PRESSURE, DUCT_TILT_X, DUCT_TILT_Y, DUCT_TWIST};
-
-/* The median arc length of all strokes that have one, in recording pixels; 0 where none has. */
-static duct_status median_length(const duct_allocator *allocator, const duct_drawing *const *recordings,
-                                 size_t count, double *median, duct_error *error)
-{
-    size_t strokes = 0, used = 0;
-    for (size_t r = 0; r < count; r++) {
-        strokes += duct_drawing_stroke_count(recordings[r]);
-    }
-    double *lengths = duct_alloc(allocator, strokes, sizeof *lengths);
-    if (lengths == NULL) {
-        return duct_fail_memory(error);
-    }
-    for (size_t r = 0; r < count; r++) {
-        for (size_t s = 0; s < duct_drawing_stroke_count(recordings[r]); s++) {
-            double length = duct_stroke_length(duct_drawing_stroke(recordings[r], s));
-            if (length > 0 && isfinite(length)) {
-                lengths[used++] = length;
-            }
-        }
-    }
-    *median = duct_median(lengths, used);
-    duct_release(allocator, lengths);
-    return DUCT_OK;
-}
-
-/* Samples of one recording's stroke, kept until all are there and their number is known. */
-typedef struct {
-    duct_samples *items;
-    size_t count;
-    size_t samples;
-} sampled;
-
-static void free_sampled(const duct_allocator *allocator, sampled *all)
-{
-    for (size_t i = 0; i < all->count; i++) {
-        duct_samples_free(allocator, &all->items[i]);
-    }
-    duct_release(allocator, all->items);
-}
-
-static duct_status sample_all(const duct_allocator *allocator, const duct_drawing *const *recordings,
-                              size_t count, double unit, sampled *all, duct_error *error)
-{
-    size_t strokes = 0;
-    for (size_t r = 0; r < count; r++) {
-        strokes += duct_drawing_stroke_count(recordings[r]);
-    }
-    all->items = duct_alloc(allocator, strokes, sizeof *all->items);
-    if (all->items == NULL) {
-        return duct_fail_memory(error);
-    }
-    for (size_t r = 0; r < count; r++) {
-        for (size_t s = 0; s < duct_drawing_stroke_count(recordings[r]); s++) {
-            duct_samples *item = &all->items[all->count];
-            duct_status status =
-                duct_samples_make(allocator, duct_drawing_stroke(recordings[r], s), unit, item, error);
-            if (status != DUCT_OK) {
-                return status;
-            }
-            if (item->count == 0) {
-                continue;
-            }
-            all->count++;
-            all->samples += item->count;
-            if (all->samples > DUCT_MAX_SAMPLES) {
-                return duct_fail(error, DUCT_LIMIT,
-                                 "a library may have %d samples at most; use a larger unit",
-                                 DUCT_MAX_SAMPLES);
-            }
-        }
-    }
-    return DUCT_OK;
-}
-
-/* Puts the samples one after the other into the library, X and Y in sampling units. */
-static duct_status gather(duct_library *library, const sampled *all, duct_error *error)
-{
-    library->stroke_count = all->count;
-    library->sample_count = all->samples;
-    library->starts = duct_alloc(&library->allocator, all->count + 1, sizeof *library->starts);
-    if (library->starts == NULL) {
-        return duct_fail_memory(error);
-    }
-    for (int c = 0; c < DUCT_CHANNEL_COUNT; c++) {
-        bool everywhere = true;
-        for (size_t i = 0; i < all->count; i++) {
-            everywhere = everywhere && all->items[i].channels[c] != NULL;
-        }
-        if (!everywhere) {
-            continue;
-        }
-        double *to = duct_alloc(&library->allocator, all->samples, sizeof *to);
-        library->channels[c] = to;
-        if (to == NULL) {
-            return duct_fail_memory(error);
-        }
-        size_t at = 0;
-        for (size_t i = 0; i < all->count; i++) {
-            const duct_samples *item = &all->items[i];
-            double scale = c == DUCT_X || c == DUCT_Y ? 1 / library->unit : 1;
-            for (size_t k = 0; k < item->count; k++) {
-                to[at++] = item->channels[c][k] * scale;
-            }
-        }
-    }
-    size_t at = 0;
-    for (size_t i = 0; i < all->count; i++) {
-        library->starts[i] = (uint32_t)at;
-        at += all->items[i].count;
-    }
-    library->starts[all->count] = (uint32_t)at;
-    return DUCT_OK;
-}
 
 static void measure_channel(duct_library *library, duct_channel channel)
 {
@@ -197,110 +73,6 @@ duct_status duct_library_finish(duct_library *library, duct_error *error)
     return DUCT_OK;
 }
 
-static const char *first_annotation(const duct_drawing *const *recordings, size_t count, const char *key)
-{
-    for (size_t r = 0; r < count; r++) {
-        const char *value = duct_drawing_annotation(recordings[r], key);
-        if (value != NULL) {
-            return value;
-        }
-    }
-    return "";
-}
-
-static duct_status set_facts(duct_library *library, const duct_drawing *const *recordings, size_t count,
-                             const duct_library_options *options, duct_error *error)
-{
-    const char *name = options != NULL ? options->name : NULL;
-    const char *artist = options != NULL ? options->artist : NULL;
-    const char *licence = options != NULL ? options->licence : NULL;
-    const duct_allocator *allocator = &library->allocator;
-    library->name =
-        duct_strdup(allocator, name ? name : first_annotation(recordings, count, DUCT_ANNOTATION_NAME));
-    library->artist =
-        duct_strdup(allocator, artist ? artist : first_annotation(recordings, count, DUCT_ANNOTATION_ARTIST));
-    library->licence = duct_strdup(
-        allocator, licence ? licence : first_annotation(recordings, count, DUCT_ANNOTATION_LICENCE));
-    if (library->name == NULL || library->artist == NULL || library->licence == NULL) {
-        return duct_fail_memory(error);
-    }
-    for (size_t r = 0; r < count; r++) {
-        library->width = fmax(library->width, duct_drawing_width(recordings[r]));
-        library->height = fmax(library->height, duct_drawing_height(recordings[r]));
-    }
-    return DUCT_OK;
-}
-
-/* The unit: what the options say, or what the recording says it was sampled with, or by the median stroke. */
-static duct_status choose_unit(const duct_allocator *allocator, const duct_drawing *const *recordings,
-                               size_t count, const duct_library_options *options, double *unit,
-                               duct_error *error)
-{
-    if (options != NULL && options->unit != 0) {
-        if (!(options->unit > 0) || !isfinite(options->unit)) {
-            return duct_fail(error, DUCT_BAD_ARGUMENT,
-                             "the sampling unit must be a positive number of pixels");
-        }
-        *unit = options->unit;
-        return DUCT_OK;
-    }
-    double stated;
-    const char *text = first_annotation(recordings, count, DUCT_ANNOTATION_UNIT);
-    if (duct_number_parse(text, &stated) && stated > 0) {
-        *unit = stated;
-        return DUCT_OK;
-    }
-    double median = 0;
-    duct_status status = median_length(allocator, recordings, count, &median, error);
-    if (status == DUCT_OK && !(median > 0)) {
-        return duct_fail(error, DUCT_UNSUPPORTED,
-                         "no stroke has a length, so there is nothing to learn from");
-    }
-    *unit = median / MEDIAN_SAMPLES;
-    return status;
-}
-
-duct_status duct_library_build(const duct_context *context, const duct_drawing *const *recordings,
-                               size_t count, const duct_library_options *options, duct_library **library,
-                               duct_error *error)
-{
-    const duct_allocator *allocator = duct_allocator_of(context);
-    double unit = 0;
-    duct_status status = choose_unit(allocator, recordings, count, options, &unit, error);
-    if (status != DUCT_OK) {
-        return status;
-    }
-    duct_library *made = duct_alloc(allocator, 1, sizeof *made);
-    if (made == NULL) {
-        return duct_fail_memory(error);
-    }
-    made->allocator = *allocator;
-    made->unit = unit;
-    pthread_mutex_init(&made->lock, NULL);
-    sampled all = {NULL, 0, 0};
-    status = sample_all(allocator, recordings, count, unit, &all, error);
-    if (status == DUCT_OK && all.count == 0) {
-        status =
-            duct_fail(error, DUCT_UNSUPPORTED, "no stroke has a length, so there is nothing to learn from");
-    }
-    if (status == DUCT_OK) {
-        status = gather(made, &all, error);
-    }
-    free_sampled(allocator, &all);
-    if (status == DUCT_OK) {
-        status = set_facts(made, recordings, count, options, error);
-    }
-    if (status == DUCT_OK) {
-        status = duct_library_finish(made, error);
-    }
-    if (status != DUCT_OK) {
-        duct_library_free(made);
-        return status;
-    }
-    *library = made;
-    return DUCT_OK;
-}
-
 void duct_library_free(duct_library *library)
 {
     if (library == NULL) {
@@ -319,6 +91,7 @@ void duct_library_free(duct_library *library)
         duct_release(&allocator, library->channels[c]);
     }
     duct_release(&allocator, library->starts);
+    duct_release(&allocator, library->weights);
     duct_release(&allocator, library->name);
     duct_release(&allocator, library->artist);
     duct_release(&allocator, library->licence);
@@ -408,6 +181,14 @@ size_t duct_library_sample_count(const duct_library *library)
 size_t duct_library_stroke_samples(const duct_library *library, size_t stroke)
 {
     return stroke < library->stroke_count ? library->starts[stroke + 1] - library->starts[stroke] : 0;
+}
+
+double duct_library_weight(const duct_library *library, size_t stroke)
+{
+    if (stroke >= library->stroke_count) {
+        return 0;
+    }
+    return library->weights != NULL ? library->weights[stroke] : 1;
 }
 
 double duct_library_unit(const duct_library *library)

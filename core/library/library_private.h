@@ -26,6 +26,7 @@ struct duct_library {
     double width, height; /* the recording's page, recording pixels */
     size_t stroke_count, sample_count;
     uint32_t *starts; /* stroke s has samples starts[s] .. starts[s + 1] - 1 */
+    double *weights;  /* by stroke: what its candidates' feature distances are divided by; NULL: all 1 */
     /* All strokes' samples one after the other; X and Y in sampling units; NULL where the library lacks a
      * channel. */
     double *channels[DUCT_CHANNEL_COUNT];

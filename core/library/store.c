@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "library/annotations.h"
 #include "library/feature_index.h"
+#include "library/weights.h"
 
 #include <ductus/format.h>
 
@@ -205,6 +206,18 @@ duct_status duct_library_open(const duct_context *context, const char *name_or_p
     return status;
 }
 
+static duct_status annotate_weights(duct_drawing *drawing, const duct_library *library, duct_error *error)
+{
+    duct_text text;
+    duct_text_init(&text, &library->allocator);
+    duct_weights_print(&text, library->weights, library->stroke_count);
+    duct_status status = text.failed
+                             ? duct_fail_memory(error)
+                             : duct_drawing_annotate(drawing, DUCT_ANNOTATION_WEIGHTS, text.data, error);
+    duct_text_free(&text);
+    return status;
+}
+
 duct_status duct_library_drawing(const duct_context *context, const duct_library *library,
                                  duct_drawing **drawing, duct_error *error)
 {
@@ -224,6 +237,9 @@ duct_status duct_library_drawing(const duct_context *context, const duct_library
         if (*facts[i][1] != '\0') {
             status = duct_drawing_annotate(made, facts[i][0], facts[i][1], error);
         }
+    }
+    if (status == DUCT_OK && library->weights != NULL) {
+        status = annotate_weights(made, library, error);
     }
     for (size_t s = 0; status == DUCT_OK && s < library->stroke_count; s++) {
         size_t start = library->starts[s], count = library->starts[s + 1] - start;

@@ -259,21 +259,31 @@ duct_status duct_settings_preset(duct_settings *settings, const char *preset, du
         return duct_fail(error, DUCT_BAD_SETTING, "preset: there is no '%.80s'; give one of: %s", preset,
                          names);
     }
-    for (size_t i = 0; i < operation->param_count; i++) {
+    /* All values or none: they are made beside the old ones first. */
+    duct_settings fresh = *settings;
+    fresh.values = duct_alloc(&settings->allocator, operation->param_count, sizeof *fresh.values);
+    duct_status status = fresh.values != NULL ? DUCT_OK : duct_fail_memory(error);
+    for (size_t i = 0; status == DUCT_OK && i < operation->param_count; i++) {
         const duct_param *param = &operation->params[i];
-        if (param->type == DUCT_PARAM_HAND) {
-            continue;
-        }
         const char *text = param->fallback;
         for (size_t v = 0; v < chosen->value_count; v++) {
             text = strcmp(chosen->values[v].param, param->id) == 0 ? chosen->values[v].value : text;
         }
-        duct_status status = store(settings, i, text, error);
-        if (status != DUCT_OK) {
-            return status;
+        bool stays = param->type == DUCT_PARAM_HAND;
+        status = store(&fresh, i, stays ? settings->values[i].text : text, error);
+        if (stays) {
+            fresh.values[i].library = settings->values[i].library;
         }
     }
-    return DUCT_OK;
+    value *dropped = status == DUCT_OK ? settings->values : fresh.values;
+    if (status == DUCT_OK) {
+        settings->values = fresh.values;
+    }
+    for (size_t i = 0; dropped != NULL && i < operation->param_count; i++) {
+        duct_release(&settings->allocator, dropped[i].text);
+    }
+    duct_release(&settings->allocator, dropped);
+    return status;
 }
 
 const char *duct_settings_text(const duct_settings *settings, const char *param)
@@ -357,6 +367,25 @@ duct_status duct_settings_hand(const duct_context *context, const duct_settings 
     return status;
 }
 
+/* Strokes promise finite values; whoever filled one through the interface may not have kept that. */
+static duct_status check_finite(const duct_drawing *drawing, duct_error *error)
+{
+    for (size_t s = 0; s < duct_drawing_stroke_count(drawing); s++) {
+        const duct_stroke *stroke = duct_drawing_stroke(drawing, s);
+        for (int c = 0; c < DUCT_CHANNEL_COUNT; c++) {
+            const double *values = duct_stroke_values(stroke, (duct_channel)c);
+            for (size_t i = 0; values != NULL && i < duct_stroke_size(stroke); i++) {
+                if (!isfinite(values[i])) {
+                    return duct_fail(error, DUCT_BAD_ARGUMENT,
+                                     "stroke '%.60s': %s of sample %zu is not a finite number",
+                                     duct_stroke_id(stroke), duct_channel_name((duct_channel)c), i);
+                }
+            }
+        }
+    }
+    return DUCT_OK;
+}
+
 duct_status duct_operation_run(const duct_context *context, const duct_settings *settings,
                                const duct_drawing *input, const duct_run_options *options,
                                duct_drawing **output, duct_error *error)
@@ -365,7 +394,10 @@ duct_status duct_operation_run(const duct_context *context, const duct_settings 
     if (operation == NULL) {
         return duct_fail(error, DUCT_BAD_ARGUMENT, "the settings belong to no operation of this library");
     }
-    duct_status status = duct_progress_report(context, 0, error);
+    duct_status status = check_finite(input, error);
+    if (status == DUCT_OK) {
+        status = duct_progress_report(context, 0, error);
+    }
     if (status != DUCT_OK) {
         return status;
     }

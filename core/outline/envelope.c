@@ -36,9 +36,10 @@ typedef struct {
     double sagitta;
     chain left, right; /* both forward, without the caps */
     size_t first, last;
-    interval begin, end; /* the run's first and last interval */
-    double least, most;  /* directions of the run's edges, relative to `direction` */
-    vector direction;    /* of the run's first interval */
+    interval begin, end;     /* the run's first and last interval */
+    double least, most;      /* directions of the run's edges, relative to `direction` */
+    vector direction;        /* of the run's first interval */
+    const duct_nib *largest; /* the last nib of which all is covered by a polygon of its own; or NULL */
     duct_polygons *polygons;
     bool failed;
 } envelope;
@@ -263,25 +264,61 @@ static void emit(envelope *e, const vector *ring, size_t count)
     e->failed = e->failed || !duct_polygons_end(e->allocator, e->polygons);
 }
 
-/* The convex hull of two nibs in any position: at each direction the one that reaches further. */
+/* Direction k of those in which a nib is measured: spread as its vertices are, so that a flat one gets enough
+ * at its ends. */
+static duct_normal direction_of(const duct_nib *nib, double parameter)
+{
+    double u = cos(parameter) / nib->major, v = sin(parameter) / nib->minor;
+    double norm = hypot(u, v);
+    return (duct_normal){(u * nib->c - v * nib->s) / norm, (u * nib->s + v * nib->c) / norm};
+}
+
+static double reach(const duct_nib *nib, duct_normal n)
+{
+    return n.x * nib->x + n.y * nib->y + duct_nib_support(nib, n);
+}
+
+/* True where the inner nib lies within the outer one, as far as its polygon tells. */
+static bool contains(const envelope *e, const duct_nib *outer, const duct_nib *inner)
+{
+    double apart = hypot(inner->x - outer->x, inner->y - outer->y);
+    if (apart + inner->major <= outer->minor) {
+        return true;
+    }
+    if (apart + inner->minor > outer->major) {
+        return false;
+    }
+    double step = arc_step(e, outer);
+    for (double t = 0; t < 2 * pi - 0.5 * step; t += step) {
+        duct_normal n = direction_of(outer, t);
+        if (reach(inner, n) > reach(outer, n)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The convex hull of two nibs in any position: at each direction the one that reaches further. A pen that
+ * rests and presses gives many such pairs, most of them within the largest of their nibs. */
 static void emit_hull(envelope *e, const duct_nib *a, const duct_nib *b)
 {
-    chain ring = {0};
+    if (e->largest != NULL && contains(e, e->largest, a) && contains(e, e->largest, b)) {
+        return;
+    }
+    const duct_nib *large = a->major >= b->major ? a : b;
     double step = fmin(arc_step(e, a), arc_step(e, b));
-    size_t count = (size_t)(2 * pi / step + 0.5);
-    for (size_t k = 0; k < count && !e->failed; k++) {
-        /* Directions are spread as the larger nib's vertices are, so that a flat one gets enough at its ends.
-         */
-        const duct_nib *large = a->major >= b->major ? a : b;
-        double u = cos((double)k * step) / large->major, v = sin((double)k * step) / large->minor;
-        double norm = hypot(u, v);
-        duct_normal n = {(u * large->c - v * large->s) / norm, (u * large->s + v * large->c) / norm};
-        double reach_a = n.x * a->x + n.y * a->y + duct_nib_support(a, n);
-        double reach_b = n.x * b->x + n.y * b->y + duct_nib_support(b, n);
-        add_touch(e, &ring, reach_a >= reach_b ? a : b, n);
+    bool of_a = false, of_b = false;
+    chain ring = {0};
+    for (double t = 0; t < 2 * pi - 0.5 * step && !e->failed; t += step) {
+        duct_normal n = direction_of(large, t);
+        bool further = reach(a, n) >= reach(b, n);
+        of_a = of_a || further;
+        of_b = of_b || !further;
+        add_touch(e, &ring, further ? a : b, n);
     }
     if (!e->failed) {
         emit(e, ring.points, ring.count);
+        e->largest = of_a && of_b ? e->largest : of_a ? a : b;
     }
     duct_release(e->allocator, ring.points);
 }

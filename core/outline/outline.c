@@ -42,27 +42,51 @@ static double edge_length(const double *xy, size_t count, size_t i)
     return hypot(b[0] - a[0], b[1] - a[1]);
 }
 
+/* The angle by which a ring turns at a point. */
+static double ring_turn(const double *xy, size_t count, size_t i)
+{
+    const double *a = xy + 2 * ((i + count - 1) % count), *b = xy + 2 * (i % count),
+                 *c = xy + 2 * ((i + 1) % count);
+    double ax = b[0] - a[0], ay = b[1] - a[1], bx = c[0] - b[0], by = c[1] - b[1];
+    return fabs(atan2(ax * by - ay * bx, ax * bx + ay * by));
+}
+
+/* A copy of a ring with what add_graded() adds. */
+static bool grade(const duct_allocator *allocator, const double *xy, size_t count, double tolerance,
+                  duct_polygons *graded)
+{
+    bool ok = true;
+    double turn = ring_turn(xy, count, 0);
+    for (size_t i = 0; i < count && ok; i++) {
+        double next_turn = ring_turn(xy, count, i + 1);
+        /* An edge that turns by too much at its ends for its length is no chord of a curve but straight, and
+         * is given points enough to show it. */
+        double rise = edge_length(xy, count, i) * (turn + next_turn) / 16;
+        double most = rise > 0.5 * tolerance ? 0.3 * tolerance : INFINITY;
+        double before = fmax(edge_length(xy, count, i + count - 1), 0.3 * tolerance);
+        double after = fmax(edge_length(xy, count, i + 1), 0.3 * tolerance);
+        ok = add_graded(allocator, xy + 2 * i, xy + 2 * ((i + 1) % count), fmin(before, most),
+                        fmin(after, most), graded);
+        turn = next_turn;
+    }
+    return ok;
+}
+
 /* Fits one ring as a closed curve. */
 static bool fit_ring(const duct_allocator *allocator, const double *xy, size_t count, double tolerance,
                      duct_path *path)
 {
     duct_polygons graded = {0};
-    double floor_length = 0.5 * tolerance;
-    bool ok = true;
-    for (size_t i = 0; i < count && ok; i++) {
-        double before = fmax(edge_length(xy, count, i + count - 1), floor_length);
-        double after = fmax(edge_length(xy, count, i + 1), floor_length);
-        ok = add_graded(allocator, xy + 2 * i, xy + 2 * ((i + 1) % count), before, after, &graded);
-    }
-    double *split = ok ? duct_alloc(allocator, graded.point_count, 2 * sizeof *split) : NULL;
+    bool ok = grade(allocator, xy, count, tolerance, &graded);
+    size_t n = graded.point_count;
+    double *split = ok ? duct_alloc(allocator, n, 2 * sizeof *split) : NULL;
     ok = split != NULL;
+    for (size_t i = 0; i < n && ok; i++) {
+        split[i] = graded.xy[2 * i];
+        split[n + i] = graded.xy[2 * i + 1];
+    }
     if (ok) {
-        size_t n = graded.point_count;
-        for (size_t i = 0; i < n; i++) {
-            split[i] = graded.xy[2 * i];
-            split[n + i] = graded.xy[2 * i + 1];
-        }
-        duct_fit_curve(split, split + n, n, true, tolerance, path);
+        duct_fit_curve(split, split + n, n, true, DUCT_SHARE_FIT * tolerance, path);
         ok = !path->failed;
     }
     duct_release(allocator, split);
@@ -83,8 +107,7 @@ static duct_status outline_nibs(const duct_allocator *allocator, const duct_nib_
         shape = &rings;
     }
     for (size_t i = 0, begin = 0; status == DUCT_OK && i < shape->count; begin = shape->ends[i++]) {
-        if (!fit_ring(allocator, shape->xy + 2 * begin, shape->ends[i] - begin, DUCT_SHARE_FIT * tolerance,
-                      path)) {
+        if (!fit_ring(allocator, shape->xy + 2 * begin, shape->ends[i] - begin, tolerance, path)) {
             status = duct_fail_memory(error);
         }
     }

@@ -19,10 +19,11 @@ typedef struct duct_outline_options {
 
 duct_outline_options duct_outline_options_default(void);
 
-/* Appends the outline of `stroke` to `path`: outer contours and holes as closed subpaths that do not cross,
- * to be filled with either fill rule. Without pressure the width is constant. A stroke of one sample gives a
- * dot; an empty one gives nothing. Errors: DUCT_NO_MEMORY, DUCT_UNSUPPORTED (the geometry library failed; the
- * sentence says so). */
+/* Appends the outline of `stroke` to `path`: outer contours and holes as closed subpaths, holes against the
+ * sense of the outer ones, to be filled with either fill rule. They do not cross, but where edges come closer
+ * to each other than the tolerance, and then by no more. Without pressure the width is constant; without
+ * twist and tilt the nib is round. A stroke of one sample gives a dot; an empty one gives nothing. Errors:
+ * DUCT_NO_MEMORY, DUCT_UNSUPPORTED (the geometry library failed; the sentence says so). */
 duct_status duct_outline(const duct_stroke *stroke, const duct_outline_options *options, duct_path *path,
                          duct_error *error);
 

@@ -8,9 +8,9 @@
 /* The stages of duct_outline(): the nibs of the samples, fewer and smoother ones that sweep the same area,
  * simple polygons that cover what they sweep, and the polygons' union. How the tolerance is divided among
  * them: */
-#define DUCT_SHARE_SWEEP 0.15 /* leaving nibs out */
-#define DUCT_SHARE_ARC 0.1    /* polygons for ellipses */
-#define DUCT_SHARE_FIT 0.65   /* curves for polygons */
+#define DUCT_SHARE_SWEEP 0.1 /* leaving nibs out */
+#define DUCT_SHARE_ARC 0.1   /* polygons for ellipses */
+#define DUCT_SHARE_FIT 0.7   /* curves for polygons */
 
 typedef struct duct_nib_list {
     duct_nib *items;

@@ -7,11 +7,11 @@
  * smooth curve is laid through the samples, lest the outline shows the chords. Slow strokes are reported more
  * densely than an outline needs: there nibs are left out. */
 
-enum { MAX_INSERTED = 16, CHUNK = 256, DIRECTIONS = 8 };
+enum { MAX_INSERTED = 64, CHUNK = 256, DIRECTIONS = 8 };
 
 static const double pi = 3.14159265358979323846;
-static const double corner = 0.96;       /* radians, 55 degrees: a sharper turn is a corner and stays one */
-static const double boldest_bulge = 10.; /* tolerances: a larger arc over a chord is not for us to invent */
+static const double corner = 0.96; /* radians, 55 degrees: a sharper turn is a corner and stays one */
+static const double flattened = 2; /* tolerances: how far a flattened line's arc may rise above its chord */
 
 static bool append(const duct_allocator *allocator, duct_nib_list *list, const duct_nib *nib)
 {
@@ -55,35 +55,35 @@ static vector direction_at(const duct_nib *before, const duct_nib *at, const duc
     return (vector){own.x / own_length, own.y / own_length};
 }
 
-/* Adds nibs on the curve between two samples where that leaves their chord. */
-static bool insert_between(const duct_allocator *allocator, duct_nib_list *list, const duct_nib *p,
-                           const duct_nib *const around[4], double tolerance)
+static size_t pieces_for(double excess)
 {
-    (void)p;
+    return (size_t)ceil(fmin(sqrt(fmax(excess, 0)), MAX_INSERTED));
+}
+
+/* Adds nibs between around[1] and around[2] where what is swept there leaves the hull of these two: on a
+ * curve that leaves its chord by no more than `boldest`, and where the nib turns on its way. */
+static bool insert_between(const duct_allocator *allocator, duct_nib_list *list,
+                           const duct_nib *const around[4], double boldest, double tolerance)
+{
     const duct_nib *from = around[1], *to = around[2];
     double length = hypot(to->x - from->x, to->y - from->y);
     double turn0, turn1;
     vector d0 = direction_at(around[0], from, to, false, &turn0);
     vector d1 = direction_at(from, to, around[3], true, &turn1);
     double bulge = length * (turn0 + turn1) / 16;
-    double least = DUCT_SHARE_SWEEP * tolerance;
-    double turned = fabs(to->angle - from->angle) * (from->major + to->major - from->minor - to->minor) / 4;
-    /* A nib that turns on its way leaves the hull of its two ends as an arc leaves its chord. */
-    double twisted = turned * fabs(to->angle - from->angle) / 4;
-    size_t pieces = 1;
-    if (bulge > least && bulge < boldest_bulge * tolerance) {
-        pieces = (size_t)ceil(sqrt(bulge / least) + 0.5);
-    } else {
-        d0 = d1 = (vector){length > 0 ? (to->x - from->x) / length : 0,
-                           length > 0 ? (to->y - from->y) / length : 0};
+    if (bulge > boldest) {
+        bulge = 0;
+        d0 = d1 = (vector){(to->x - from->x) / length, (to->y - from->y) / length};
     }
-    if (twisted > least) {
-        size_t more = (size_t)ceil(sqrt(fmin(twisted / least, MAX_INSERTED * MAX_INSERTED)));
-        pieces = more > pieces ? more : pieces;
-    }
-    pieces = pieces < MAX_INSERTED ? pieces : MAX_INSERTED;
+    double twist = fabs(to->angle - from->angle);
+    /* The ellipse's reach bends as (major^2 - minor^2) / minor over the angle where it bends most. */
+    double flat = fmax(from->major - from->minor, to->major - to->minor);
+    double rise = twist * twist * flat * (1 + fmax(from->major / from->minor, to->major / to->minor)) / 8;
+    size_t pieces = pieces_for(bulge / tolerance), more = pieces_for(rise / tolerance);
+    pieces = pieces > more ? pieces : more;
     for (size_t k = 1; k < pieces; k++) {
         double t = (double)k / (double)pieces, u = 1 - t;
+        /* Hermite's cubic. */
         double h0 = u * u * (1 + 2 * t), h1 = t * t * (1 + 2 * u), g0 = length * u * u * t,
                g1 = -length * u * t * t;
         duct_nib nib = duct_nib_between(from, to, t, h0 * from->x + h1 * to->x + g0 * d0.x + g1 * d1.x,
@@ -97,8 +97,9 @@ static bool insert_between(const duct_allocator *allocator, duct_nib_list *list,
 
 /* All samples' nibs with those between them; a closed stroke's first one again at its end. */
 static bool fill_in(const duct_allocator *allocator, const duct_nib *nibs, size_t count, bool closed,
-                    double tolerance, duct_nib_list *list)
+                    bool pen, double tolerance, duct_nib_list *list)
 {
+    double boldest = pen ? INFINITY : flattened * tolerance;
     size_t chords = closed ? count : count - 1;
     for (size_t i = 0; i < chords; i++) {
         size_t next = (i + 1) % count;
@@ -114,7 +115,7 @@ static bool fill_in(const duct_allocator *allocator, const duct_nib *nibs, size_
         end.angle -= pi * floor((end.angle - nibs[i].angle) / pi + 0.5);
         around[2] = &end;
         if (!append(allocator, list, &nibs[i]) ||
-            !insert_between(allocator, list, &nibs[i], around, tolerance)) {
+            !insert_between(allocator, list, around, boldest, DUCT_SHARE_SWEEP * tolerance)) {
             return false;
         }
     }
@@ -202,8 +203,8 @@ bool duct_sweep_nibs(const duct_allocator *allocator, const duct_stroke *stroke,
         return false;
     }
     duct_nibs_of(stroke, options, all);
-    bool ok =
-        fill_in(allocator, all, count, duct_stroke_closed(stroke) && count > 2, options->fit_tolerance, nibs);
+    bool closed = duct_stroke_closed(stroke) && count > 2, pen = duct_stroke_values(stroke, DUCT_T) != NULL;
+    bool ok = fill_in(allocator, all, count, closed, pen, options->fit_tolerance, nibs);
     duct_release(allocator, all);
     if (ok) {
         thin(nibs, DUCT_SHARE_SWEEP * options->fit_tolerance);

@@ -168,7 +168,7 @@ static void exact_destroy(duct_search *search)
     duct_release(&allocator, self);
 }
 
-static const duct_search_method exact_method = {exact_nearest, exact_destroy};
+static const duct_search_method exact_method = {exact_nearest, duct_search_one_by_one, exact_destroy};
 
 static void fill_blocks(exact *self)
 {

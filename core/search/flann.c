@@ -46,12 +46,8 @@ static size_t tree_nearest(const duct_search *search, const float *query, size_t
     for (size_t i = 0; i < k; i++) {
         if (found[i] >= 0 && (size_t)found[i] < search->count) {
             const float *row = search->rows + (size_t)found[i] * search->dimensions;
-            float square = 0;
-            for (size_t d = 0; d < search->dimensions; d++) {
-                float difference = query[d] - row[d];
-                square += difference * difference;
-            }
-            duct_nearest_put(&nearest, square, (uint32_t)found[i]);
+            duct_nearest_put(&nearest, duct_feature_square(query, row, search->dimensions),
+                             (uint32_t)found[i]);
         }
     }
     duct_nearest_finish(&nearest);
@@ -68,7 +64,7 @@ static void tree_destroy(duct_search *search)
     duct_release(&allocator, self);
 }
 
-static const duct_search_method tree_method = {tree_nearest, tree_destroy};
+static const duct_search_method tree_method = {tree_nearest, duct_search_one_by_one, tree_destroy};
 
 duct_status duct_search_flann_new(const duct_allocator *allocator, const float *rows, size_t count,
                                   size_t dimensions, duct_search **search, duct_error *error)

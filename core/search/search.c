@@ -6,15 +6,21 @@
 #include <math.h>
 
 duct_status duct_search_new(const duct_allocator *allocator, duct_search_kind kind, const float *rows,
-                            size_t count, size_t dimensions, duct_search **search, duct_error *error)
+                            size_t count, size_t dimensions, const uint32_t *starts, duct_search **search,
+                            duct_error *error)
 {
     if (count == 0 || count > UINT32_MAX / 2) {
         return duct_fail(error, DUCT_UNSUPPORTED, "a search index needs 1 to %u rows, not %zu",
                          UINT32_MAX / 2, count);
     }
-    return kind == DUCT_SEARCH_FLANN
-               ? duct_search_flann_new(allocator, rows, count, dimensions, search, error)
-               : duct_search_exact_new(allocator, rows, count, dimensions, search, error);
+    switch (kind) {
+    case DUCT_SEARCH_FLANN:
+        return duct_search_flann_new(allocator, rows, count, dimensions, search, error);
+    case DUCT_SEARCH_PATCHMATCH:
+        return duct_search_patchmatch_new(allocator, rows, count, dimensions, starts, search, error);
+    default:
+        return duct_search_exact_new(allocator, rows, count, dimensions, search, error);
+    }
 }
 
 void duct_search_free(duct_search *search)
@@ -33,12 +39,38 @@ size_t duct_search_nearest(const duct_search *search, const float *query, size_t
 
 float duct_feature_distance(const float *query, const float *row, size_t dimensions)
 {
-    float square = 0;
-    for (size_t d = 0; d < dimensions; d++) {
-        float difference = query[d] - row[d];
-        square += difference * difference;
+    return sqrtf(duct_feature_square(query, row, dimensions));
+}
+
+duct_status duct_search_sequence(const duct_search *search, const duct_allocator *allocator,
+                                 const duct_search_query *query, uint32_t *rows, float *distances,
+                                 size_t *found, duct_error *error)
+{
+    return search->method->sequence(search, allocator, query, rows, distances, found, error);
+}
+
+duct_status duct_search_one_by_one(const duct_search *search, const duct_allocator *allocator,
+                                   const duct_search_query *query, uint32_t *rows, float *distances,
+                                   size_t *found, duct_error *error)
+{
+    size_t k = query->k, hint_count = 0;
+    uint32_t *hints = duct_alloc(allocator, 2 * k, sizeof *hints);
+    if (hints == NULL) {
+        return duct_fail_memory(error);
     }
-    return sqrtf(square);
+    for (size_t i = 0; i < query->count; i++) {
+        uint32_t *near = rows + i * k;
+        found[i] = duct_search_nearest(search, query->rows + i * search->dimensions, k, hints, hint_count,
+                                       near, distances + i * k);
+        /* The next sample's neighbours are likely those that follow this one's. */
+        hint_count = 0;
+        for (size_t n = 0; n < found[i]; n++) {
+            hints[hint_count++] = near[n];
+            hints[hint_count++] = near[n] + 1;
+        }
+    }
+    duct_release(allocator, hints);
+    return DUCT_OK;
 }
 
 static bool worse(const duct_nearest *nearest, size_t a, size_t b)

@@ -22,6 +22,16 @@
 
 enum { MARK_SIDE = 256, MARK_SAMPLES = 60 };
 
+/* The brushes that Ductus ships. */
+static const char *const own_brushes[] = {"bristle", "charcoal", "flat-bristle", "flat-nib", "ink", "pencil"};
+enum { OWN_BRUSHES = sizeof own_brushes / sizeof own_brushes[0] };
+
+/* True for brushes whose marks hold the paper's grain, which does not turn or move with the stroke. */
+static inline bool is_grainy(const char *name)
+{
+    return strcmp(name, "charcoal") == 0 || strcmp(name, "pencil") == 0;
+}
+
 /* A pose that may change along the mark: start + along * u, u in 0..1. */
 typedef struct mark {
     double pressure, tilt_x, tilt_y, twist;
@@ -94,6 +104,19 @@ static inline unsigned pixel_value(const duct_canvas *canvas, int x, int y, int 
 {
     const uint16_t *tile = duct_canvas_tile(canvas, x / DUCT_TILE_SIZE, y / DUCT_TILE_SIZE);
     return tile != NULL ? tile[((y % DUCT_TILE_SIZE) * DUCT_TILE_SIZE + x % DUCT_TILE_SIZE) * 4 + k] : 0;
+}
+
+/* The largest value of channel k around a place: grain leaves single pixels empty. */
+static inline unsigned value_around(const duct_canvas *canvas, int x, int y, int k)
+{
+    unsigned most = 0;
+    for (int dy = -4; dy <= 4; dy++) {
+        for (int dx = -4; dx <= 4; dx++) {
+            unsigned value = pixel_value(canvas, x + dx, y + dy, k);
+            most = value > most ? value : most;
+        }
+    }
+    return most;
 }
 
 /* The alpha of a whole canvas, in pixels. */

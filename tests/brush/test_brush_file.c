@@ -83,6 +83,10 @@ static void reject_malformed(void **state)
         "{\"version\": 3, \"settings\": {}, \"ductus\": {\"bristles\": 1000000000}}",
         "{\"version\": 3, \"settings\": {}, \"ductus\": {\"spread\": \"much\"}}",
         "{\"version\": 3, \"settings\": {}, \"ductus\": {\"ratio\": 0}}",
+        "{\"version\": 3, \"settings\": {}, \"ductus\": {\"grain\": 9}}",
+        "{\"version\": 3, \"settings\": {}, \"ductus\": {\"grain_size\": 0}}",
+        "{\"version\": 3, \"settings\": {}, \"ductus\": {\"side\": -1}}",
+        "{\"version\": 3, \"settings\": {}, \"ductus\": {\"cover\": 2}}",
         "{\"version\": 3, \"settings\": {}",
     };
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {

@@ -56,6 +56,19 @@ class InstallTest(unittest.TestCase):
         ElementTree.parse(out)
         out.unlink()
 
+    def check_replay(self, program):
+        recording = next((self.prefix / "share" / "ductus" / "hands").glob("*.inkml"))
+        environment = {"LD_LIBRARY_PATH": str(self.libraries)}
+        text = self.call(program, self.first_hand(), recording, "--fast", **environment)
+        poses = [line for line in text.splitlines() if "pressure" in line]
+        self.assertGreater(len(poses), 1000)
+        self.assertEqual(text.count("stroke "), text.count("end:"))
+        # Far below what a tablet leaves.
+        self.assertLess(float(text.splitlines()[-1].split(": ")[1].split()[0]), 1e6 / 140 / 4)
+        again = self.call(program, self.first_hand(), recording, "--fast", **environment)
+        untimed = [line.split(" (")[0] for line in again.splitlines() if "pressure" in line]
+        self.assertEqual([line.split(" (")[0] for line in poses], untimed)
+
     def test_the_installed_program_finds_its_data(self):
         program = self.prefix / "bin" / "ductus"
         self.assertIn(self.first_hand(), self.call(program, "library", "list"))
@@ -63,6 +76,13 @@ class InstallTest(unittest.TestCase):
         out = self.folder / "out.png"
         self.call(program, "render", DRAWINGS / "cat.svg", "-o", out)
         self.assertTrue(out.read_bytes().startswith(b"\x89PNG"))
+
+    def test_the_manual_and_the_shells_completion_are_in_their_places(self):
+        page = (self.prefix / "share" / "man" / "man1" / "ductus.1").read_text()
+        self.assertEqual(page, self.call(self.prefix / "bin" / "ductus", "help", "--man"))
+        for place in ("bash-completion/completions/ductus", "zsh/site-functions/_ductus",
+                      "fish/vendor_completions.d/ductus.fish"):
+            self.assertIn("ductus", (self.prefix / "share" / place).read_text())
 
     def test_the_installed_tree_can_be_moved(self):
         moved = self.folder / "moved"
@@ -77,12 +97,14 @@ class InstallTest(unittest.TestCase):
         self.assertTrue(self.call("pkg-config", "--modversion", "ductus", PKG_CONFIG_PATH=path).strip())
         self.call("make", "-C", build, "CFLAGS=-std=c11 -Wall -Wextra -Werror", PKG_CONFIG_PATH=path)
         self.check_example(build / "with_a_hand")
+        self.check_replay(build / "replay")
 
     def test_a_program_found_by_cmake(self):
         build = self.folder / "example-cmake"
         self.call("cmake", "-S", SOURCE / "examples", "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}")
         self.call("cmake", "--build", build)
         self.check_example(build / "with_a_hand")
+        self.check_replay(build / "replay")
 
     def test_headers_compile_alone_and_in_cxx(self):
         for header in sorted((self.prefix / "include" / "ductus").glob("*.h")):

@@ -80,6 +80,59 @@ class LibraryTest(ProgramTest):
                     self.succeed(*words, "pen.inkml")
                     self.succeed(*words, "lib.inkml")
 
+    def test_sizes_and_weights_and_position(self):
+        self.file("a.inkml", recording(strokes=5))
+        self.file("b.inkml", recording(strokes=7))
+        target = self.own_folder() / "rich.inkml"
+        self.succeed("library", "build", "a.inkml", "b.inkml", "-o", target, "--scales", "0.5,1", "--weights", "2,1.5")
+        rich = [h for h in json.loads(self.succeed("library", "list", "--json")) if h["path"] == str(target)]
+        self.assertEqual(rich[0]["strokes"], 24)
+        self.assertIn("2*5 1.5*7 2*5 1.5*7", target.read_text())
+        self.succeed("library", "build", "a.inkml", "-o", "plain.inkml")
+        self.succeed("library", "build", "a.inkml", "-o", "flat.inkml", "--remove-position")
+        self.assertNotEqual((self.work / "plain.inkml").read_bytes(), (self.work / "flat.inkml").read_bytes())
+
+    def test_sizes_and_weights_that_are_none(self):
+        self.file("a.inkml", recording())
+        for option, value in (
+            ("scales", ""), ("scales", "1,"), ("scales", "0"), ("scales", "-1"), ("scales", "nan"), ("scales", "1;2"),
+            ("scales", "1e9"), ("scales", ",".join(["1"] * 17)), ("weights", "1,1"), ("weights", "0"), ("weights", "x"),
+        ):
+            self.assertIn(option, self.refuse(2, "library", "build", "a.inkml", "-o", "out.inkml", f"--{option}={value}"))
+        self.assertFalse((self.work / "out.inkml").exists())
+
+    def test_report_as_text_json_and_picture(self):
+        self.file("a.inkml", recording(strokes=12))
+        self.file("b.inkml", recording(strokes=20, samples=60))
+        text = self.succeed("library", "report", "a.inkml", "b.inkml").decode()
+        self.assertIn("consistent: similar shapes are drawn with similar pose", text)
+        self.assertIn("a, b", text)
+        report = json.loads(self.succeed("library", "report", "a.inkml", "b.inkml", "--json", "-o", "r.svg"))
+        self.assertEqual([entry["name"] for entry in report["libraries"]], ["a", "b"])
+        self.assertEqual(len(report["between"]), 1)
+        for entry in report["libraries"] + report["between"]:
+            self.assertGreater(entry["similar"], entry["random"])
+            self.assertGreater(entry["pairs"], 200)
+            self.assertEqual(list(entry["channels"]), ["pressure"])
+        self.assertTrue((self.work / "r.svg").read_text().startswith("<?xml"))
+        again = json.loads(self.succeed("library", "report", "a.inkml", "b.inkml", "--json", "--threads", "1"))
+        self.assertEqual(again, report)
+        self.succeed("library", "report", "a.inkml", "-o", "r.png")
+        self.assertTrue((self.work / "r.png").read_bytes().startswith(b"\x89PNG"))
+
+    def test_reports_that_cannot_be_made(self):
+        self.file("a.inkml", recording())
+        self.refuse(2, "library", "report")
+        self.assertIn(".svg", self.refuse(2, "library", "report", "a.inkml", "-o", "r.gif"))
+        self.assertIn("none.inkml", self.refuse(1, "library", "report", "a.inkml", "none.inkml"))
+        self.refuse(1, "library", "report", "a.inkml", "-o", "no/such/r.svg")
+        self.refuse(2, "library", "report", "a.inkml", "--radius", "1")
+
+    def test_built_in_hands_are_as_consistent_as_real_ones(self):
+        names = [h["name"] for h in json.loads(self.succeed("library", "list", "--json")) if h["builtin"]]
+        for entry in json.loads(self.succeed("library", "report", *names, "--json"))["libraries"]:
+            self.assertGreater(entry["similar"], entry["random"])
+
 
 if __name__ == "__main__":
     unittest.main()

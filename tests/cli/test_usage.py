@@ -7,7 +7,7 @@ import unittest
 
 from program import SOURCE, ProgramTest, operations, svg
 
-COMMANDS = ["render", "convert", "brushes", "ops", "library", "library build", "library list"]
+COMMANDS = ["render", "convert", "show", "brushes", "ops", "completion", "library", "library build", "library report", "library list"]
 
 
 class HelpTest(ProgramTest):
@@ -17,7 +17,7 @@ class HelpTest(ProgramTest):
     def test_help_lists_operations_and_commands(self):
         text = self.succeed("--help").decode()
         self.assertEqual(text, self.succeed("help").decode())
-        for name in [o["id"] for o in operations()] + ["render", "convert", "library", "brushes", "ops"]:
+        for name in [o["id"] for o in operations()] + ["render", "convert", "show", "library", "brushes", "ops", "completion"]:
             self.assertRegex(text, rf"(?m)^  {name} ")
 
     def test_every_command_has_help(self):
@@ -94,7 +94,7 @@ class MisuseTest(ProgramTest):
         self.assertNotIn("did you mean", self.refuse(2, "x" * 5000))
 
     def test_library_commands(self):
-        self.assertIn("build or list", self.refuse(2, "library"))
+        self.assertIn("build, report or list", self.refuse(2, "library"))
         self.assertIn("did you mean 'build'?", self.refuse(2, "library", "biuld"))
         self.assertIn("-o", self.refuse(2, "library", "build", "in.svg"))
         self.assertIn("recordings", self.refuse(2, "library", "build", "-o", "x.inkml"))

@@ -2,6 +2,7 @@
 #include "testing.h"
 
 #include "glyphs.h"
+#include "manner.h"
 #include "motion.h"
 #include "shapes.h"
 #include "style.h"
@@ -24,7 +25,7 @@ static trajectory *perform(const motor_style *style, const action_plan *plan, do
 
 static motor_style calm_style(void)
 {
-    motor_style style = hand_styles[0].writing;
+    motor_style style = hand_styles[0]->writing;
     style.bend_jitter = style.time_jitter = style.tremor = 0;
     style.accuracy = 1;
     return style;
@@ -117,7 +118,7 @@ static void pen_passes_the_targets(void **state)
     (void)state;
     const motor_style style = calm_style();
     for (size_t s = 0; s < hand_style_count; s++) {
-        const alphabet *letters = hand_styles[s].letters;
+        const alphabet *letters = hand_styles[s]->letters;
         for (size_t i = 0; i < letters->count; i++) {
             action_plan plan = {.count = 0};
             assert_true(glyph_write(&letters->glyphs[i], 0, &place, &plan));
@@ -136,7 +137,7 @@ static void same_stroke_is_the_same_and_another_differs_a_little(void **state)
     (void)state;
     action_plan plan = {.count = 0};
     assert_true(glyph_write(alphabet_find(&alphabet_running, 'm'), 0, &place, &plan));
-    const motor_style *style = &hand_styles[0].writing;
+    const motor_style *style = &hand_styles[0]->writing;
     trajectory *a = perform(style, &plan, 1.5, 1);
     trajectory *b = perform(style, &plan, 1.5, 1);
     trajectory *c = perform(style, &plan, 1.5, 2);
@@ -157,13 +158,66 @@ static void circles_are_round(void **state)
     const shape circle = {SHAPE_ARC, 300, 300, 80, 80, 0, -70, 385};
     action_plan plan = {.count = 0};
     assert_true(shape_write(&circle, &plan));
-    motor_style style = hand_styles[0].drawing;
+    motor_style style = hand_styles[0]->drawing;
     style.bend_jitter = style.time_jitter = style.tremor = 0;
     trajectory *way = perform(&style, &plan, 0, 1);
     for (size_t k = 0; k < way->size; k++) {
         assert_true(fabs(hypot(way->x[k] - 300, way->y[k] - 300) - (80)) <= 4);
     }
     free(way);
+}
+
+static void hooks_come_before_the_stroke(void **state)
+{
+    (void)state;
+    const stroke_manner manner = {.hook = 10, .hook_turn = M_PI / 2};
+    action_plan plan = {.count = 0};
+    manner_hook(&manner, &plan);
+    assert_int_equal(plan.count, 0);
+    plan_add(&plan, 100, 100, false, false);
+    manner_hook(&manner, &plan);
+    assert_int_equal(plan.count, 1);
+    plan_add(&plan, 200, 100, false, false);
+    manner_hook(&manner, &plan);
+    assert_int_equal(plan.count, 3);
+    assert_true(hypot(plan.targets[0].x - 100, plan.targets[0].y - 110) < 1e-9);
+    assert_true(plan.targets[1].corner && plan.targets[1].x == 100 && plan.targets[2].x == 200);
+    /* A tick gets no hook longer than itself, and a full plan none. */
+    action_plan tick = {.count = 0};
+    plan_add(&tick, 0, 0, false, false);
+    plan_add(&tick, 10, 0, false, false);
+    manner_hook(&manner, &tick);
+    assert_true(fabs(tick.targets[0].y - 3) < 1e-9);
+    while (plan_add(&plan, 0, 0, false, false)) {
+    }
+    manner_hook(&manner, &plan);
+    assert_int_equal(plan.count, PLAN_TARGETS);
+}
+
+static void pieces_cover_the_line_and_overlap(void **state)
+{
+    (void)state;
+    const stroke_manner manner = {.piece = 100, .overlap = 0.3, .rounds = 2};
+    const shape line = {SHAPE_LINE, 50, 60, 390, 0, 90, 0, 0};
+    const size_t count = manner_pieces(&manner, &line);
+    assert_int_equal(count, 4);
+    double covered = 60;
+    for (size_t i = 0; i < count; i++) {
+        const shape piece = manner_piece(&manner, &line, i);
+        assert_true(fabs(piece.x - 50) < 1e-9);
+        assert_true(i == 0 ? piece.y == 60 : piece.y < covered - 20);
+        covered = piece.y + piece.a;
+    }
+    assert_true(fabs(covered - 450) < 1e-9);
+    const shape round = {SHAPE_ARC, 0, 0, 80, 80, 0, 10, -380}, arc = {SHAPE_ARC, 0, 0, 300, 300, 0, 0, 90};
+    assert_int_equal(manner_pieces(&manner, &round), 1);
+    assert_true(manner_piece(&manner, &round, 0).amount == -760);
+    assert_int_equal(manner_pieces(&manner, &arc), 5);
+    const shape last = manner_piece(&manner, &arc, 4);
+    assert_true(fabs(last.from + last.amount - 90) < 1e-9);
+    const stroke_manner plain = {.rounds = 1};
+    assert_int_equal(manner_pieces(&plain, &line), 1);
+    assert_true(manner_piece(&plain, &line, 0).a == 390);
 }
 
 static void malformed_forms_are_rejected(void **state)
@@ -200,6 +254,8 @@ int main(void)
         cmocka_unit_test(pen_passes_the_targets),
         cmocka_unit_test(same_stroke_is_the_same_and_another_differs_a_little),
         cmocka_unit_test(circles_are_round),
+        cmocka_unit_test(hooks_come_before_the_stroke),
+        cmocka_unit_test(pieces_cover_the_line_and_overlap),
         cmocka_unit_test(malformed_forms_are_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

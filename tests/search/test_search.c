@@ -4,25 +4,9 @@
 #include "base/memory.h"
 #include "search/search.h"
 
-#include <ductus/random.h>
+#include "rows.h"
 
-#include <math.h>
-
-enum { ROWS = 3001, DIMENSIONS = 32, K = 20 };
-
-/* Rows along smooth paths, as stroke features are. */
-static float *make_rows(size_t count, uint64_t seed)
-{
-    float *rows = calloc(count * DIMENSIONS, sizeof *rows);
-    for (size_t i = 0; i < count; i++) {
-        for (size_t d = 0; d < DIMENSIONS; d++) {
-            double phase = 6.28 * duct_random_uniform(seed, i / 60, d, 0);
-            double noise = 0.05 * duct_random_normal(seed, i, d, 1);
-            rows[i * DIMENSIONS + d] = (float)(sin(phase + 0.05 * (double)i) + noise);
-        }
-    }
-    return rows;
-}
+enum { ROWS = 3001 };
 
 typedef struct {
     float square;
@@ -55,7 +39,7 @@ static void finds_what_a_scan_finds(duct_search_kind kind, size_t count)
     float *rows = make_rows(count, 1), *queries = make_rows(60, 2);
     scored *all = calloc(count, sizeof *all);
     duct_search *search;
-    assert_ok(duct_search_new(duct_allocator_of(NULL), kind, rows, count, DIMENSIONS, &search, &error));
+    assert_ok(duct_search_new(duct_allocator_of(NULL), kind, rows, count, DIMENSIONS, NULL, &search, &error));
     for (size_t q = 0; q < 60; q++) {
         const float *query = q % 10 == 0 ? rows + (q % count) * DIMENSIONS : queries + q * DIMENSIONS;
         uint32_t near[K], hinted[K], hints[2 * K];
@@ -100,6 +84,16 @@ static void flann_has_full_recall(void **state)
     }
 }
 
+/* A single query has nothing to spread: it is compared with all rows. */
+static void patchmatch_is_exact_for_one_query(void **state)
+{
+    (void)state;
+    static const size_t counts[] = {1, 5, 20, 100, ROWS};
+    for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
+        finds_what_a_scan_finds(DUCT_SEARCH_PATCHMATCH, counts[i]);
+    }
+}
+
 static void flann_gives_the_same_each_time(void **state)
 {
     (void)state;
@@ -110,8 +104,8 @@ static void flann_gives_the_same_each_time(void **state)
     for (int run = 0; run < 3; run++) {
         duct_search *search;
         srand((unsigned)run); /* the host program's generator must not matter */
-        assert_ok(duct_search_new(duct_allocator_of(NULL), DUCT_SEARCH_FLANN, rows, ROWS, DIMENSIONS, &search,
-                                  &error));
+        assert_ok(duct_search_new(duct_allocator_of(NULL), DUCT_SEARCH_FLANN, rows, ROWS, DIMENSIONS, NULL,
+                                  &search, &error));
         duct_search_nearest(search, rows + 500, K, NULL, 0, run == 0 ? first : again, distances);
         duct_search_free(search);
         if (run > 0) {
@@ -127,8 +121,8 @@ static void equal_rows_come_in_order(void **state)
     duct_error error;
     float *rows = calloc(100 * DIMENSIONS, sizeof *rows);
     duct_search *search;
-    assert_ok(
-        duct_search_new(duct_allocator_of(NULL), DUCT_SEARCH_EXACT, rows, 100, DIMENSIONS, &search, &error));
+    assert_ok(duct_search_new(duct_allocator_of(NULL), DUCT_SEARCH_EXACT, rows, 100, DIMENSIONS, NULL,
+                              &search, &error));
     uint32_t near[K], hint = 99;
     float distances[K];
     duct_search_nearest(search, rows, K, &hint, 1, near, distances);
@@ -147,10 +141,11 @@ static void nan_queries_do_no_harm(void **state)
     for (size_t d = 0; d < DIMENSIONS; d++) {
         query[d] = NAN;
     }
-    static const duct_search_kind kinds[] = {DUCT_SEARCH_EXACT, DUCT_SEARCH_FLANN};
-    for (size_t i = 0; i < 2; i++) {
+    static const duct_search_kind kinds[] = {DUCT_SEARCH_EXACT, DUCT_SEARCH_FLANN, DUCT_SEARCH_PATCHMATCH};
+    for (size_t i = 0; i < 3; i++) {
         duct_search *search;
-        assert_ok(duct_search_new(duct_allocator_of(NULL), kinds[i], rows, 200, DIMENSIONS, &search, &error));
+        assert_ok(
+            duct_search_new(duct_allocator_of(NULL), kinds[i], rows, 200, DIMENSIONS, NULL, &search, &error));
         uint32_t near[K];
         float distances[K];
         size_t found = duct_search_nearest(search, query, K, NULL, 0, near, distances);
@@ -169,30 +164,34 @@ static void no_rows_are_refused(void **state)
     duct_error error;
     float row = 0;
     duct_search *search = NULL;
-    assert_int_equal(duct_search_new(duct_allocator_of(NULL), DUCT_SEARCH_FLANN, &row, 0, 1, &search, &error),
-                     DUCT_UNSUPPORTED);
+    assert_int_equal(
+        duct_search_new(duct_allocator_of(NULL), DUCT_SEARCH_FLANN, &row, 0, 1, NULL, &search, &error),
+        DUCT_UNSUPPORTED);
     assert_null(search);
 }
 
 static void survives_failing_allocations(void **state)
 {
     (void)state;
+    static const duct_search_kind kinds[] = {DUCT_SEARCH_EXACT, DUCT_SEARCH_PATCHMATCH};
     duct_error error;
     float *rows = make_rows(50, 5);
-    duct_status status = DUCT_NO_MEMORY;
-    for (long n = 1; status != DUCT_OK; n++) {
-        failing_allocator failing;
-        failing_init(&failing, n);
-        duct_search *search;
-        status =
-            duct_search_new(&failing.allocator, DUCT_SEARCH_EXACT, rows, 50, DIMENSIONS, &search, &error);
-        if (status == DUCT_OK) {
-            duct_search_free(search);
-        } else {
-            assert_int_equal(status, DUCT_NO_MEMORY);
+    for (size_t i = 0; i < 2; i++) {
+        duct_status status = DUCT_NO_MEMORY;
+        for (long n = 1; status != DUCT_OK; n++) {
+            failing_allocator failing;
+            failing_init(&failing, n);
+            duct_search *search;
+            status =
+                duct_search_new(&failing.allocator, kinds[i], rows, 50, DIMENSIONS, NULL, &search, &error);
+            if (status == DUCT_OK) {
+                duct_search_free(search);
+            } else {
+                assert_int_equal(status, DUCT_NO_MEMORY);
+            }
+            assert_int_equal(failing.held, 0);
+            assert_true(n < 50);
         }
-        assert_int_equal(failing.held, 0);
-        assert_true(n < 50);
     }
     free(rows);
 }
@@ -202,6 +201,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(exact_search_finds_what_a_scan_finds),
         cmocka_unit_test(flann_has_full_recall),
+        cmocka_unit_test(patchmatch_is_exact_for_one_query),
         cmocka_unit_test(flann_gives_the_same_each_time),
         cmocka_unit_test(equal_rows_come_in_order),
         cmocka_unit_test(nan_queries_do_no_harm),

@@ -28,6 +28,8 @@ typedef struct alphabet {
 extern const alphabet alphabet_running;
 /* A brisk print without curves where a corner will do. */
 extern const alphabet alphabet_angular;
+/* A looped, joined hand for a strong slant. */
+extern const alphabet alphabet_copperplate;
 
 /* The letter's glyph, or NULL. */
 const glyph *alphabet_find(const alphabet *letters, char letter);

@@ -2,7 +2,8 @@
 
 /* make-hands FOLDER NAME...: writes the built-in hands of those names as FOLDER/NAME.inkml, each with its
  * search index beside it. make-hands --page NAME FILE writes the page as it was recorded, in the format of
- * the file's ending; make-hands --list prints the names. */
+ * the file's ending; make-hands --write NAME TEXT FILE writes a line of text; make-hands --list prints the
+ * names. */
 
 #include "page.h"
 
@@ -12,8 +13,9 @@
 #include <stdio.h>
 #include <string.h>
 
-static duct_status make_page(const duct_context *context, const char *name, duct_drawing **page,
-                             duct_error *error)
+/* The hand's page, or a line of text where `text` is not NULL. */
+static duct_status make_page(const duct_context *context, const char *name, const char *text,
+                             duct_drawing **page, duct_error *error)
 {
     const hand_style *style = hand_style_find(name);
     if (style == NULL) {
@@ -21,7 +23,8 @@ static duct_status make_page(const duct_context *context, const char *name, duct
                  name);
         return DUCT_NOT_FOUND;
     }
-    return page_make(context, style, page, error);
+    return text != NULL ? page_write_line(context, style, text, page, error)
+                        : page_make(context, style, page, error);
 }
 
 /* A library's file says by whom it is; this one also says, for programs, that nobody wrote it. Its strokes
@@ -50,7 +53,7 @@ static duct_status make_library(const duct_context *context, const char *folder,
     }
     duct_drawing *page = NULL;
     duct_library *library = NULL;
-    duct_status status = make_page(context, name, &page, error);
+    duct_status status = make_page(context, name, NULL, &page, error);
     if (status == DUCT_OK) {
         const duct_drawing *pages[] = {page};
         status = duct_library_build(context, pages, 1, NULL, &library, error);
@@ -66,11 +69,11 @@ static duct_status make_library(const duct_context *context, const char *folder,
     return status;
 }
 
-static duct_status write_page(const duct_context *context, const char *name, const char *path,
-                              duct_error *error)
+static duct_status write_page(const duct_context *context, const char *name, const char *text,
+                              const char *path, duct_error *error)
 {
     duct_drawing *page = NULL;
-    duct_status status = make_page(context, name, &page, error);
+    duct_status status = make_page(context, name, text, &page, error);
     if (status == DUCT_OK) {
         status = duct_drawing_write(context, page, path, NULL, error);
     }
@@ -85,16 +88,19 @@ int main(int count, char **words)
     duct_status status = DUCT_OK;
     if (count == 2 && strcmp(words[1], "--list") == 0) {
         for (size_t i = 0; i < hand_style_count; i++) {
-            puts(hand_styles[i].name);
+            puts(hand_styles[i]->name);
         }
     } else if (count == 4 && strcmp(words[1], "--page") == 0) {
-        status = write_page(&context, words[2], words[3], &error);
+        status = write_page(&context, words[2], NULL, words[3], &error);
+    } else if (count == 5 && strcmp(words[1], "--write") == 0) {
+        status = write_page(&context, words[2], words[3], words[4], &error);
     } else if (count >= 3 && words[1][0] != '-') {
         for (int i = 2; i < count && status == DUCT_OK; i++) {
             status = make_library(&context, words[1], words[i], &error);
         }
     } else {
-        fputs("usage: make-hands FOLDER NAME... | --page NAME FILE | --list\n", stderr);
+        fputs("usage: make-hands FOLDER NAME... | --page NAME FILE | --write NAME TEXT FILE | --list\n",
+              stderr);
         return 2;
     }
     if (status != DUCT_OK) {

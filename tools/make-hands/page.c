@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "page.h"
 
-#include "shapes.h"
 #include "wander.h"
 
 #include <ductus/random.h>
@@ -76,6 +75,7 @@ static duct_status perform(writer *w, const motor_style *motor, double jitter, c
     char id[32];
     snprintf(id, sizeof id, "%s-%03zu", w->style->name, w->number);
     const uint64_t seed = w->style->seed, stroke = duct_random_id(id);
+    manner_hook(&w->style->manner, &w->plan);
     motion_perform(motor, &w->plan, jitter, seed, stroke, &w->way);
     w->plan.count = 0;
 
@@ -180,14 +180,18 @@ static duct_status draw_shapes(writer *w)
 {
     duct_status status = DUCT_OK;
     for (size_t i = 0; i < shapes_count && status == DUCT_OK; i++) {
-        const shape *form = &shapes_page[i];
-        if (!shape_write(form, &w->plan)) {
-            snprintf(w->error->message, sizeof w->error->message, "drawing stroke %zu has too many targets",
-                     i);
-            return w->error->status = DUCT_BAD_ARGUMENT;
+        const stroke_manner *manner = &w->style->manner;
+        const size_t pieces = manner_pieces(manner, &shapes_page[i]);
+        for (size_t k = 0; k < pieces && status == DUCT_OK; k++) {
+            const shape form = manner_piece(manner, &shapes_page[i], k);
+            if (!shape_write(&form, &w->plan)) {
+                snprintf(w->error->message, sizeof w->error->message,
+                         "drawing stroke %zu has too many targets", i);
+                return w->error->status = DUCT_BAD_ARGUMENT;
+            }
+            const double jitter = w->style->shape_jitter * fmin(shape_size(&form), 120);
+            status = perform(w, &w->style->drawing, jitter, "drawing");
         }
-        const double jitter = w->style->shape_jitter * fmin(shape_size(form), 120);
-        status = perform(w, &w->style->drawing, jitter, "drawing");
     }
     return status;
 }
@@ -203,8 +207,8 @@ static duct_status annotate(writer *w)
     return status;
 }
 
-duct_status page_make(const duct_context *context, const hand_style *style, duct_drawing **page,
-                      duct_error *error)
+static duct_status make(const duct_context *context, const hand_style *style, bool drawing,
+                        duct_drawing **page, duct_error *error)
 {
     duct_error ignored;
     writer *w = calloc(1, sizeof *w);
@@ -225,7 +229,7 @@ duct_status page_make(const duct_context *context, const hand_style *style, duct
     for (size_t line = 0; status == DUCT_OK && style->lines[line] != NULL; line++) {
         status = write_line(w, line);
     }
-    if (status == DUCT_OK) {
+    if (status == DUCT_OK && drawing) {
         status = draw_shapes(w);
     }
     if (status == DUCT_OK) {
@@ -235,4 +239,19 @@ duct_status page_make(const duct_context *context, const hand_style *style, duct
     }
     free(w);
     return status;
+}
+
+duct_status page_make(const duct_context *context, const hand_style *style, duct_drawing **page,
+                      duct_error *error)
+{
+    return make(context, style, true, page, error);
+}
+
+duct_status page_write_line(const duct_context *context, const hand_style *style, const char *text,
+                            duct_drawing **page, duct_error *error)
+{
+    const char *const lines[] = {text, NULL};
+    hand_style now = *style;
+    now.lines = lines;
+    return make(context, &now, false, page, error);
 }

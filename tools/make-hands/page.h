@@ -14,4 +14,8 @@ enum { PAGE_SIDE = 2000 };
 duct_status page_make(const duct_context *context, const hand_style *style, duct_drawing **page,
                       duct_error *error);
 
+/* A page with one line of text in a hand, and no drawing strokes. Errors as above. */
+duct_status page_write_line(const duct_context *context, const hand_style *style, const char *text,
+                            duct_drawing **page, duct_error *error);
+
 #endif

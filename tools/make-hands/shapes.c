@@ -17,6 +17,13 @@ static bool add_turned(const shape *form, double along, double across, bool corn
                     straight);
 }
 
+static bool write_line(const shape *form, action_plan *plan)
+{
+    return add_turned(form, 0, 0, false, false, plan) &&
+           (fabs(form->b) < 0.5 || add_turned(form, form->a / 2, form->b, false, false, plan)) &&
+           add_turned(form, form->a, 0, false, false, plan);
+}
+
 static bool write_arc(const shape *form, action_plan *plan)
 {
     /* Four or five movements a turn for circles; ellipses need more to keep their form. */
@@ -94,7 +101,7 @@ bool shape_write(const shape *form, action_plan *plan)
 {
     switch (form->kind) {
     case SHAPE_LINE:
-        return add_turned(form, 0, 0, false, false, plan) && add_turned(form, form->a, 0, false, false, plan);
+        return write_line(form, plan);
     case SHAPE_ARC:
         return write_arc(form, plan);
     case SHAPE_SPIRAL:

@@ -7,7 +7,7 @@
 /* Drawing strokes: what a hand needs to have done before it can restyle line art. */
 
 typedef enum shape_kind {
-    SHAPE_LINE,   /* from (x, y), `a` pixels in direction `angle` */
+    SHAPE_LINE,   /* from (x, y), `a` pixels in direction `angle`, in the middle b to its right */
     SHAPE_ARC,    /* part of an ellipse around (x, y) with half axes a, b: from `from` on, `amount` degrees */
     SHAPE_SPIRAL, /* around (x, y), radius from a to b, `amount` turns, signed, from `from` on */
     SHAPE_WAVE,   /* from (x, y), `amount` half waves of length a and height b in direction `angle` */
@@ -24,8 +24,9 @@ typedef struct shape {
     double angle, from, amount;
 } shape;
 
-/* The drawing strokes of a page of 2000 x 2000 pixels, in the order they are drawn. They leave the band above
- * y = 1060 to the text, and above y = 900 beside it. */
+/* What is drawn on a page of 2000 x 2000 pixels, in this order. It leaves the band above y = 600, and left of
+ * x = 1000 above y = 780, to the text.
+ */
 extern const shape shapes_page[];
 extern const size_t shapes_count;
 

@@ -4,8 +4,9 @@
 
 #include "glyphs.h"
 #include "grip.h"
+#include "manner.h"
 
-/* All that makes one hand differ from another. One table entry a hand (styles.c). */
+/* All that makes one hand differ from another. One file a hand (hand_*.c). */
 typedef struct hand_style {
     const char *name;
     uint64_t seed;
@@ -23,10 +24,14 @@ typedef struct hand_style {
     double baseline_jitter, baseline_slope; /* in x-heights; dy for dx */
     motor_style writing;
     motor_style drawing;
+    stroke_manner manner;
     grip_style grip;
 } hand_style;
 
-extern const hand_style hand_styles[];
+extern const hand_style hand_anna, hand_bruno, hand_clara, hand_david, hand_eve;
+
+/* All of them (styles.c). */
+extern const hand_style *const hand_styles[];
 extern const size_t hand_style_count;
 
 /* The style of that name, or NULL. */

@@ -44,6 +44,9 @@ typedef struct duct_context {
 /* The default surroundings: malloc, one thread per processor, no progress, data found beside the library. */
 DUCT_API duct_context duct_context_default(void);
 
+/* Frees memory that the library handed out as plain bytes or text, with the same context. NULL is allowed. */
+DUCT_API void duct_memory_free(const duct_context *context, void *memory);
+
 #ifdef __cplusplus
 }
 #endif

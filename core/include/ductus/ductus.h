@@ -16,6 +16,7 @@
  *   radians; time is in seconds; pressure, opacity and colours are 0..1. */
 
 #include <ductus/context.h>
+#include <ductus/diagram.h>
 #include <ductus/drawing.h>
 #include <ductus/format.h>
 #include <ductus/image.h>
@@ -23,7 +24,9 @@
 #include <ductus/operation.h>
 #include <ductus/random.h>
 #include <ductus/render.h>
+#include <ductus/report.h>
 #include <ductus/status.h>
+#include <ductus/stream.h>
 #include <ductus/stroke.h>
 #include <ductus/version.h>
 

@@ -51,7 +51,8 @@ DUCT_API duct_status duct_drawing_read_memory(const duct_context *context, const
                                               duct_error *error);
 
 /* Writes a drawing; the file's ending picks the format. The file appears whole or not at all: it is written
- * beside its place and renamed. Errors: DUCT_UNSUPPORTED (no such format), DUCT_IO, DUCT_NO_MEMORY. */
+ * beside its place and renamed. Errors: DUCT_UNSUPPORTED (no such format), DUCT_BAD_ARGUMENT (values that are
+ * not finite), DUCT_IO, DUCT_NO_MEMORY. */
 DUCT_API duct_status duct_drawing_write(const duct_context *context, const duct_drawing *drawing,
                                         const char *path, const duct_format_options *options,
                                         duct_error *error);
@@ -61,9 +62,6 @@ DUCT_API duct_status duct_drawing_write(const duct_context *context, const duct_
 DUCT_API duct_status duct_drawing_write_memory(const duct_context *context, const duct_drawing *drawing,
                                                const char *format, const duct_format_options *options,
                                                char **data, size_t *size, duct_error *error);
-
-/* Frees memory that the library handed out as plain bytes, with the same context. NULL is allowed. */
-DUCT_API void duct_memory_free(const duct_context *context, void *memory);
 
 #ifdef __cplusplus
 }

@@ -21,11 +21,25 @@ typedef struct duct_library_options {
     const char *name;    /* NULL: the recording's */
     const char *artist;  /* NULL: the recording's annotation, if any */
     const char *licence; /* NULL: the recording's annotation, if any */
+    /* Takes the influence of the position on the page out of pressure, tilt and twist ("HelpingHand" section
+     * 3.2): fits a quadratic polynomial in x and y to each, a recording at a time, subtracts it, and adds the
+     * mean back. The paper found no strong effect on results and left it off. */
+    bool remove_position;
+    /* Enriches the library: each stroke in each of these sizes, within 0.01 and 100, at most 16 of them; a
+     * list without 1 leaves the strokes' own size out. None: as recorded. A library of n sizes takes n times
+     * as much to search; the paper (section 5) tried half to one and a half and saw no significant gain. */
+    const double *scales;
+    size_t scale_count;
+    /* One for each recording, within 0.001 and 1000; NULL: all 1. In matching, the feature distance of a
+     * candidate from a recording is divided by its weight, so that one of weight 2 is taken where it is up to
+     * twice as far. Weights that a recording, being a library itself, brings along are multiplied by it. */
+    const double *weights;
 } duct_library_options;
 
 /* Makes a library of one or more recordings. Strokes without length are left out. `options` may be NULL.
  * A channel that some of the strokes lack is absent from the library. The caller frees it.
- * Errors: DUCT_UNSUPPORTED (no stroke with a length), DUCT_NO_MEMORY, DUCT_LIMIT. */
+ * Errors: DUCT_UNSUPPORTED (no stroke with a length), DUCT_BAD_ARGUMENT (an option out of range),
+ * DUCT_NO_MEMORY, DUCT_LIMIT. */
 DUCT_API duct_status duct_library_build(const duct_context *context, const duct_drawing *const *recordings,
                                         size_t count, const duct_library_options *options,
                                         duct_library **library, duct_error *error);
@@ -52,6 +66,7 @@ DUCT_API const char *duct_library_licence(const duct_library *library); /* "" wh
 DUCT_API size_t duct_library_stroke_count(const duct_library *library);
 DUCT_API size_t duct_library_sample_count(const duct_library *library);
 DUCT_API size_t duct_library_stroke_samples(const duct_library *library, size_t stroke); /* of one stroke */
+DUCT_API double duct_library_weight(const duct_library *library, size_t stroke); /* 0: no such stroke */
 DUCT_API double duct_library_unit(const duct_library *library); /* recording pixels a sampling unit */
 DUCT_API bool duct_library_has(const duct_library *library, duct_channel channel);
 

@@ -122,7 +122,8 @@ typedef struct duct_run_options {
 
 /* Runs the operation on `input`, which is not changed. `options` may be NULL. The caller frees `*output`.
  * The same input, settings and seed give the same output on every run and any number of threads.
- * Errors: what the operation's parts return; DUCT_CANCELLED. */
+ * Errors: DUCT_BAD_ARGUMENT (a value in the drawing is not finite), what the operation's parts return,
+ * DUCT_CANCELLED. */
 DUCT_API duct_status duct_operation_run(const duct_context *context, const duct_settings *settings,
                                         const duct_drawing *input, const duct_run_options *options,
                                         duct_drawing **output, duct_error *error);

@@ -56,7 +56,7 @@ DUCT_API double *duct_stroke_edit(duct_stroke *stroke, duct_channel channel);
 DUCT_API void duct_stroke_drop(duct_stroke *stroke, duct_channel channel);
 
 /* Sets the number of samples. New samples are 0 in every channel that is present.
- * Errors: DUCT_NO_MEMORY (the stroke is as it was). */
+ * Errors: DUCT_NO_MEMORY, DUCT_LIMIT (the stroke is as it was). */
 DUCT_API duct_status duct_stroke_resize(duct_stroke *stroke, size_t size, duct_error *error);
 
 /* The id that the host gave; seeds the stroke's randomness. Never NULL, possibly "". */
