@@ -117,7 +117,7 @@ class SegmentTest(ProgramTest):
         self.assertIn("strokes differ", line)
 
     def test_a_run_without_chosen_places_is_refused(self):
-        for choice in ("average", "average"):
+        for choice in ("average",):
             self.succeed(*self.operation, "in.svg", "-o", "out.svg", "--trace", "u.json", "--select", choice)
             line = self.refuse(1, "show", "out.svg", "--trace", "u.json", "-o", "x.svg")
             self.assertIn("--select optimal", line)
