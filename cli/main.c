@@ -80,6 +80,7 @@ int main(int count, char **words)
 {
     /* A reader that went away is an error of writing, and temporary files are removed as after any other. */
     signal(SIGPIPE, SIG_IGN);
+    signal(SIGXFSZ, SIG_IGN); /* a file size limit becomes an error of writing, too */
     int result = run(count > 0 ? count - 1 : 0, words + 1);
     if (fflush(stdout) != 0 && result == CLI_DONE) {
         result = cli_fail("standard output: cannot be written: %s", strerror(errno));

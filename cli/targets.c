@@ -164,6 +164,32 @@ static int plan_traces(cli_targets *targets, const char *trace)
     return folder ? make_folder(trace, &targets->made[1]) : check_place(trace);
 }
 
+/* True where both names are the same file, however they are spelled; neither need be there. */
+static bool same_file(const char *a, const char *b)
+{
+    struct stat x, y;
+    if (strcmp(a, b) == 0) {
+        return true;
+    }
+    return stat(a, &x) == 0 && stat(b, &y) == 0 && x.st_dev == y.st_dev && x.st_ino == y.st_ino;
+}
+
+/* A trace must not replace a drawing, neither one that is read nor one that is written. */
+static int check_traces(const cli_targets *targets, const char *command)
+{
+    for (size_t i = 0; i < targets->count; i++) {
+        for (size_t j = 0; j < targets->count; j++) {
+            const char *trace = targets->items[i].trace, *input = targets->items[j].input;
+            const char *output = targets->items[j].output;
+            if (same_file(trace, input) || same_file(trace, output)) {
+                return cli_misused("%s: the trace would replace %s; give --trace another name", command,
+                                   same_file(trace, input) ? input : output);
+            }
+        }
+    }
+    return CLI_DONE;
+}
+
 int cli_targets_plan(cli_targets *targets, const cli_arguments *arguments, const char *command)
 {
     *targets = (cli_targets){NULL, 0, {NULL, NULL}};
@@ -189,7 +215,11 @@ int cli_targets_plan(cli_targets *targets, const cli_arguments *arguments, const
     }
     bool folder = targets->count > 1 || is_folder(out) || out[strlen(out) - 1] == '/';
     int result = folder ? plan_folder(targets, out, to, command) : plan_one(targets, out, to, command);
-    return result != CLI_DONE || trace == NULL ? result : plan_traces(targets, trace);
+    if (result == CLI_DONE && trace != NULL) {
+        result = plan_traces(targets, trace);
+        result = result == CLI_DONE ? check_traces(targets, command) : result;
+    }
+    return result;
 }
 
 void cli_targets_undo(const cli_targets *targets)

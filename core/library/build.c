@@ -253,9 +253,16 @@ static duct_status choose_unit(const duct_allocator *allocator, const duct_drawi
         *unit = options->unit;
         return DUCT_OK;
     }
-    double stated;
-    const char *text = first_annotation(recordings, count, DUCT_ANNOTATION_UNIT);
-    if (duct_number_parse(text, &stated) && stated > 0) {
+    /* Libraries say what they were sampled with. Where they disagree, the strokes decide. */
+    double stated = 0;
+    bool agreed = true;
+    for (size_t r = 0; agreed && r < count; r++) {
+        const char *text = duct_drawing_annotation(recordings[r], DUCT_ANNOTATION_UNIT);
+        double own = 0;
+        agreed = text != NULL && duct_number_parse(text, &own) && own > 0 && (r == 0 || own == stated);
+        stated = own;
+    }
+    if (agreed) {
         *unit = stated;
         return DUCT_OK;
     }

@@ -187,7 +187,9 @@ duct_status duct_library_open(const duct_context *context, const char *name_or_p
     if (*name_or_path == '\0') {
         return fail_hand(context, "''", error);
     }
-    if (duct_file_exists(name_or_path)) {
+    /* A folder that happens to have a hand's name does not hide the hand; with a '/' it is surely meant. */
+    bool word = strchr(name_or_path, '/') == NULL && duct_file_is_folder(name_or_path);
+    if (duct_file_exists(name_or_path) && !word) {
         return open_path(context, name_or_path, library, error);
     }
     duct_hand *hands;

@@ -12,7 +12,10 @@
 #include <math.h>
 #include <string.h>
 
-enum { LANES = 8 }; /* rows a block, and boxes a group */
+enum {
+    LANES = 8, /* rows a block, and boxes a group */
+    MOST_DIMENSIONS = 256
+};
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__clang__)
 #define WIDE __attribute__((target_clones("avx2", "default")))
@@ -24,7 +27,9 @@ typedef struct {
     duct_search base;
     size_t block_count, group_count;
     float *blocks; /* [block][dimension][LANES] */
-    float *low;    /* [group][dimension][LANES]: boxes' lower corners */
+    /* The boxes' dimensions are in the order in which the rows spread most: what is too far shows early. */
+    uint32_t *order; /* [dimension] */
+    float *low;      /* [group][dimension][LANES]: boxes' lower corners */
     float *high;
 } exact;
 
@@ -137,6 +142,10 @@ static size_t exact_nearest(const duct_search *search, const float *query, size_
         return 0;
     }
     const float slack = 1.0001f;
+    float ordered[MOST_DIMENSIONS];
+    for (size_t d = 0; d < dimensions; d++) {
+        ordered[d] = query[self->order[d]];
+    }
     float limit = threshold_from(self, query, k, hints, hint_count);
     for (size_t group = 0; group < self->group_count; group++) {
         float bounds[LANES];
@@ -144,7 +153,7 @@ static size_t exact_nearest(const duct_search *search, const float *query, size_
         float most = nearest.count == k && nearest.squares[0] < limit ? nearest.squares[0] : limit;
         /* A box's bound is rounded differently from a row's distance: leave out only what is clearly farther.
          */
-        if (!group_bounds(self->low + at, self->high + at, query, dimensions, most * slack, bounds)) {
+        if (!group_bounds(self->low + at, self->high + at, ordered, dimensions, most * slack, bounds)) {
             continue;
         }
         for (size_t lane = 0; lane < LANES && group * LANES + lane < self->block_count; lane++) {
@@ -163,6 +172,7 @@ static void exact_destroy(duct_search *search)
     exact *self = (exact *)search;
     const duct_allocator allocator = search->allocator;
     duct_release(&allocator, self->blocks);
+    duct_release(&allocator, self->order);
     duct_release(&allocator, self->low);
     duct_release(&allocator, self->high);
     duct_release(&allocator, self);
@@ -170,9 +180,33 @@ static void exact_destroy(duct_search *search)
 
 static const duct_search_method exact_method = {exact_nearest, duct_search_one_by_one, exact_destroy};
 
-static void fill_blocks(exact *self)
+/* Sorts the dimensions by falling variance of the rows. */
+static void choose_order(exact *self)
 {
     size_t dimensions = self->base.dimensions, count = self->base.count;
+    double spread[MOST_DIMENSIONS];
+    for (size_t d = 0; d < dimensions; d++) {
+        double sum = 0, square = 0;
+        for (size_t row = 0; row < count; row++) {
+            double value = (double)self->base.rows[row * dimensions + d];
+            sum += value;
+            square += value * value;
+        }
+        spread[d] = square - sum * sum / (double)count;
+        size_t at = d;
+        for (; at > 0 && spread[self->order[at - 1]] < spread[d]; at--) {
+            self->order[at] = self->order[at - 1];
+        }
+        self->order[at] = (uint32_t)d;
+    }
+}
+
+static void fill_blocks(exact *self)
+{
+    size_t dimensions = self->base.dimensions, count = self->base.count, place[MOST_DIMENSIONS];
+    for (size_t d = 0; d < dimensions; d++) {
+        place[self->order[d]] = d;
+    }
     for (size_t block = 0; block < self->block_count; block++) {
         float *to = self->blocks + block * LANES * dimensions;
         size_t box = block / LANES * LANES * dimensions + block % LANES;
@@ -185,8 +219,8 @@ static void fill_blocks(exact *self)
                 low = value < low ? value : low;
                 high = value > high ? value : high;
             }
-            self->low[box + d * LANES] = low;
-            self->high[box + d * LANES] = high;
+            self->low[box + place[d] * LANES] = low;
+            self->high[box + place[d] * LANES] = high;
         }
     }
 }
@@ -194,6 +228,10 @@ static void fill_blocks(exact *self)
 duct_status duct_search_exact_new(const duct_allocator *allocator, const float *rows, size_t count,
                                   size_t dimensions, duct_search **search, duct_error *error)
 {
+    if (dimensions > MOST_DIMENSIONS) {
+        return duct_fail(error, DUCT_UNSUPPORTED, "the exact search takes %d dimensions at most",
+                         MOST_DIMENSIONS);
+    }
     exact *self = duct_alloc(allocator, 1, sizeof *self);
     if (self == NULL) {
         return duct_fail_memory(error);
@@ -205,10 +243,12 @@ duct_status duct_search_exact_new(const duct_allocator *allocator, const float *
     self->blocks = duct_alloc(allocator, self->block_count * LANES * dimensions, sizeof(float));
     self->low = duct_alloc(allocator, boxes, sizeof(float));
     self->high = duct_alloc(allocator, boxes, sizeof(float));
-    if (self->blocks == NULL || self->low == NULL || self->high == NULL) {
+    self->order = duct_alloc(allocator, dimensions, sizeof *self->order);
+    if (self->blocks == NULL || self->low == NULL || self->high == NULL || self->order == NULL) {
         exact_destroy(&self->base);
         return duct_fail_memory(error);
     }
+    choose_order(self);
     fill_blocks(self);
     *search = &self->base;
     return DUCT_OK;

@@ -45,8 +45,8 @@ DUCT_API duct_status duct_library_build(const duct_context *context, const duct_
                                         duct_library **library, duct_error *error);
 
 /* Opens a hand by name (see duct_library_list) or by the path of a library, a recording in any readable
- * format, or a folder of them. A hand's name is tried first unless `name_or_path` holds a '/' or names a file
- * that is there. The caller frees the library. Errors: DUCT_NOT_FOUND (the sentence lists the hands there
+ * format, or a folder of them. A file of that name comes before a hand, a hand before a folder, unless the
+ * name holds a '/'. The caller frees the library. Errors: DUCT_NOT_FOUND (the sentence lists the hands there
  * are), and those of duct_drawing_read(). */
 DUCT_API duct_status duct_library_open(const duct_context *context, const char *name_or_path,
                                        duct_library **library, duct_error *error);
