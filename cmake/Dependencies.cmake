@@ -4,6 +4,7 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(LIBXML2 REQUIRED IMPORTED_TARGET libxml-2.0)
 pkg_check_modules(LIBMYPAINT REQUIRED IMPORTED_TARGET libmypaint>=1.6)
 pkg_check_modules(JSONC REQUIRED IMPORTED_TARGET json-c)
+pkg_check_modules(ZLIB REQUIRED IMPORTED_TARGET zlib)
 pkg_check_modules(LAPACKE REQUIRED IMPORTED_TARGET lapacke)
 # FLANN's pkg-config file drags in HDF5 and MPI, which its C library does not need.
 find_library(FLANN_LIBRARY flann REQUIRED)

@@ -10,6 +10,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 /* Behind a stroke's own channels two more columns that become tilt. */
 enum {
@@ -17,12 +18,13 @@ enum {
     ALTITUDE,
     VALUE_COUNT,
     STROKE = VALUE_COUNT,
+    WACOM_STROKE, /* STROKE in Wacom's tables, in others the number of the row */
     IGNORED,
     MOST_COLUMNS = 256
 };
 
 typedef struct {
-    int meaning; /* a duct_channel, AZIMUTH, ALTITUDE, STROKE or IGNORED */
+    int meaning; /* a duct_channel, AZIMUTH, ALTITUDE, STROKE, WACOM_STROKE or IGNORED */
     double unit; /* what a cell's number is multiplied with */
 } column;
 
@@ -46,6 +48,8 @@ typedef struct {
     column columns[MOST_COLUMNS];
     size_t column_count;
     bool used[IGNORED]; /* which meanings occur */
+    bool wacom;         /* whether the names are those of Wacom's Universal Ink */
+    double wacom_start; /* of the first stroke, milliseconds; NAN: not met yet */
     double *samples;    /* VALUE_COUNT values a sample; NAN: the cell is empty */
     size_t sample_count, sample_capacity;
     const char *stroke; /* the text that the stroke column has now */
@@ -116,7 +120,7 @@ static bool next_cell(cursor *at, cell *c)
  * "tiltx". */
 static void plain_name(const cell *c, char name[32], const char **unit)
 {
-    static const char *const units[] = {"_deg", "_rad", "_ms", "_s"};
+    static const char *const units[] = {"_deg", "_rad", "_ms", "_s", "_px", "_mm"};
     size_t length = 0;
     char lower[64];
     size_t size = c->size < sizeof lower - 1 ? c->size : sizeof lower - 1;
@@ -146,10 +150,24 @@ static column name_column(const cell *c)
         const char *name;
         int meaning;
     } names[] = {
-        {"stroke", STROKE},     {"x", DUCT_X},          {"y", DUCT_Y},
-        {"t", DUCT_T},          {"time", DUCT_T},       {"pressure", DUCT_PRESSURE},
-        {"tiltx", DUCT_TILT_X}, {"tilty", DUCT_TILT_Y}, {"twist", DUCT_TWIST},
-        {"azimuth", AZIMUTH},   {"altitude", ALTITUDE},
+        {"stroke", STROKE},
+        {"x", DUCT_X},
+        {"y", DUCT_Y},
+        {"t", DUCT_T},
+        {"time", DUCT_T},
+        {"pressure", DUCT_PRESSURE},
+        {"tiltx", DUCT_TILT_X},
+        {"tilty", DUCT_TILT_Y},
+        {"twist", DUCT_TWIST},
+        {"azimuth", AZIMUTH},
+        {"altitude", ALTITUDE},
+        {"splinex", DUCT_X},
+        {"spliney", DUCT_Y},
+        {"sensortimestamp", DUCT_T},
+        {"sensorpressure", DUCT_PRESSURE},
+        {"sensorazimuth", AZIMUTH},
+        {"sensoraltitude", ALTITUDE},
+        {"idx", WACOM_STROKE},
     };
     char name[32];
     const char *unit;
@@ -160,8 +178,9 @@ static column name_column(const cell *c)
         }
         int meaning = names[i].meaning;
         bool angle = meaning >= DUCT_TILT_X && meaning <= ALTITUDE;
+        bool length = meaning == DUCT_X || meaning == DUCT_Y;
         if (*unit == '\0' || (angle && strcmp(unit, "_rad") == 0) ||
-            (meaning == DUCT_T && strcmp(unit, "_s") == 0)) {
+            (meaning == DUCT_T && strcmp(unit, "_s") == 0) || (length && strcmp(unit, "_px") == 0)) {
             return (column){meaning, 1};
         }
         if (angle && strcmp(unit, "_deg") == 0) {
@@ -169,6 +188,9 @@ static column name_column(const cell *c)
         }
         if (meaning == DUCT_T && strcmp(unit, "_ms") == 0) {
             return (column){meaning, 0.001};
+        }
+        if (length && strcmp(unit, "_mm") == 0) {
+            return (column){meaning, 96 / 25.4};
         }
     }
     return (column){IGNORED, 0};
@@ -194,6 +216,7 @@ static duct_status read_names(reader *r, const cursor *start, char delimiter, du
     r->at.delimiter = delimiter;
     r->column_count = 0;
     memset(r->used, 0, sizeof r->used);
+    r->wacom = false;
     cell c;
     do {
         if (!next_cell(&r->at, &c)) {
@@ -205,7 +228,8 @@ static duct_status read_names(reader *r, const cursor *start, char delimiter, du
             return duct_fail(error, DUCT_BAD_FORMAT, "line %ld: there are more than %d columns", r->at.line,
                              MOST_COLUMNS);
         }
-        if (named.meaning != IGNORED && r->used[named.meaning]) {
+        r->wacom = r->wacom || (c.size > 7 && strncasecmp(c.text, "spline_", 7) == 0);
+        if (named.meaning < WACOM_STROKE && r->used[named.meaning]) {
             return duct_fail(error, DUCT_BAD_FORMAT, "line %ld: two columns are both named \"%.*s\"",
                              r->at.line, (int)(c.size < 64 ? c.size : 64), c.text);
         }
@@ -216,6 +240,10 @@ static duct_status read_names(reader *r, const cursor *start, char delimiter, du
     } while (!c.last);
     if (!r->used[DUCT_X] || !r->used[DUCT_Y]) {
         return duct_fail(error, DUCT_BAD_FORMAT, "line %ld: the columns x and y are missing", start->line);
+    }
+    for (size_t i = 0; i < r->column_count && r->wacom && !r->used[STROKE]; i++) {
+        r->used[STROKE] = r->columns[i].meaning == WACOM_STROKE;
+        r->columns[i].meaning = r->used[STROKE] ? STROKE : r->columns[i].meaning;
     }
     skip_break(&r->at);
     return DUCT_OK;
@@ -283,6 +311,19 @@ static void tilt_from_angles(reader *r)
     }
 }
 
+/* Universal Ink's timestamp is the stroke's beginning in whole milliseconds plus the *seconds* since then. It
+ * becomes seconds since the first stroke's beginning. */
+static void wacom_time(reader *r)
+{
+    double begin = NAN;
+    for (size_t i = 0; i < r->sample_count; i++) {
+        double *time = &r->samples[i * VALUE_COUNT + DUCT_T];
+        begin = isnan(begin) ? floor(*time) : begin;
+        r->wacom_start = isnan(r->wacom_start) ? begin : r->wacom_start;
+        *time = (begin - r->wacom_start) / 1000 + (*time - begin);
+    }
+}
+
 static duct_status end_stroke(reader *r, duct_error *error)
 {
     if (!r->open) {
@@ -291,6 +332,9 @@ static duct_status end_stroke(reader *r, duct_error *error)
     bool angles = r->used[AZIMUTH] && r->used[ALTITUDE] && !r->used[DUCT_TILT_X] && !r->used[DUCT_TILT_Y];
     if (angles) {
         tilt_from_angles(r);
+    }
+    if (r->wacom && r->used[DUCT_T]) {
+        wacom_time(r);
     }
     duct_stroke *stroke = NULL;
     duct_status status = make_stroke(r, &stroke, error);
@@ -327,7 +371,7 @@ static duct_status read_row(reader *r, double sample[VALUE_COUNT], cell *stroke,
         const column *named = &r->columns[index++];
         if (named->meaning == STROKE) {
             *stroke = c;
-        } else if (named->meaning != IGNORED && c.size > 0) {
+        } else if (named->meaning < STROKE && c.size > 0) {
             const char *end;
             double number;
             trim(&c);
@@ -403,7 +447,8 @@ static duct_status read(const duct_context *context, const char *data, size_t si
                         const duct_format_options *options, duct_drawing *drawing, duct_error *error)
 {
     (void)options;
-    reader r = {.allocator = duct_allocator_of(context), .drawing = drawing, .stroke = ""};
+    reader r = {
+        .allocator = duct_allocator_of(context), .drawing = drawing, .stroke = "", .wacom_start = NAN};
     duct_status status = find_names(&r, data, size, error);
     if (status == DUCT_OK) {
         status = read_rows(&r, error);

@@ -29,5 +29,9 @@ extern const duct_format_impl duct_format_svg;
 extern const duct_format_impl duct_format_inkml;
 extern const duct_format_impl duct_format_cyn;
 extern const duct_format_impl duct_format_csv;
+extern const duct_format_impl duct_format_svc;
+extern const duct_format_impl duct_format_mypaint_events;
+extern const duct_format_impl duct_format_xopp;
+extern const duct_format_impl duct_format_pointer_events;
 
 #endif

@@ -12,10 +12,14 @@
 
 /* Sniffed in this order. */
 static const duct_format_impl *const formats[] = {
+    &duct_format_xopp, /* before SVG, which takes all else that is compressed, to say what to do */
     &duct_format_svg,
     &duct_format_inkml,
     &duct_format_cyn,
     &duct_format_csv,
+    &duct_format_svc,
+    &duct_format_mypaint_events,
+    &duct_format_pointer_events,
 };
 
 enum { FORMAT_COUNT = sizeof formats / sizeof formats[0] };

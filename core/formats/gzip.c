@@ -72,7 +72,10 @@ static duct_status unpack(z_stream *stream, const duct_allocator *allocator, siz
             return duct_fail_memory(error);
         }
         *buffer = grown;
-        uInt room = (uInt)(capacity - *length - 1 > INT_MAX ? INT_MAX : capacity - *length - 1);
+        /* One byte more than allowed tells that there is more. */
+        size_t wanted = capacity - *length - 1, allowed = limit + 1 - *length;
+        wanted = wanted < allowed ? wanted : allowed;
+        uInt room = (uInt)(wanted > INT_MAX ? INT_MAX : wanted);
         stream->next_out = (Bytef *)*buffer + *length;
         stream->avail_out = room;
         int result = inflate(stream, Z_NO_FLUSH);

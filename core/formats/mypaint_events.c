@@ -7,8 +7,8 @@
  * which libmypaint takes as -60..60 degrees. Lines that begin with `#` are comments. */
 #include "base/error.h"
 #include "formats/format_private.h"
+#include "formats/recorded.h"
 #include "formats/recording.h"
-#include "formats/samples.h"
 
 #include <math.h>
 
@@ -48,7 +48,7 @@ static bool sniff(const char *data, size_t size)
     return events > 0;
 }
 
-static duct_status read_events(duct_lines *lines, duct_samples *samples, duct_error *error)
+static duct_status read_events(duct_lines *lines, duct_recorded *samples, duct_error *error)
 {
     double values[COLUMNS_WITH_TILT];
     int count;
@@ -65,9 +65,9 @@ static duct_status read_events(duct_lines *lines, duct_samples *samples, duct_er
         if (!down) {
             continue;
         }
-        duct_sample *sample;
+        duct_recorded_sample *sample;
         duct_status status =
-            duct_samples_add(samples, samples->stroke_count - (before ? 1 : 0), &sample, error);
+            duct_recorded_add(samples, samples->stroke_count - (before ? 1 : 0), &sample, error);
         if (status != DUCT_OK) {
             return status;
         }
@@ -89,15 +89,15 @@ static duct_status read(const duct_context *context, const char *data, size_t si
     (void)options;
     duct_lines lines;
     duct_lines_init(&lines, data, size);
-    duct_samples samples;
-    duct_samples_init(&samples, duct_allocator_of(context));
+    duct_recorded samples;
+    duct_recorded_init(&samples, duct_allocator_of(context));
     duct_status status = read_events(&lines, &samples, error);
     if (status == DUCT_OK) {
-        duct_samples_start_time(&samples, 1);
-        duct_samples_drop_silent(&samples);
-        status = duct_samples_make_strokes(&samples, drawing, error);
+        duct_recorded_start_time(&samples, 1);
+        duct_recorded_drop_silent(&samples);
+        status = duct_recorded_make_strokes(&samples, drawing, error);
     }
-    duct_samples_free(&samples);
+    duct_recorded_free(&samples);
     return status;
 }
 

@@ -8,8 +8,8 @@
  * in the file tells its units, so they are told by its numbers; docs/formats.md lists how. */
 #include "base/error.h"
 #include "formats/format_private.h"
+#include "formats/recorded.h"
 #include "formats/recording.h"
-#include "formats/samples.h"
 
 #include <math.h>
 
@@ -29,7 +29,7 @@ enum {
 };
 
 /* While samples are collected, the channels of tilt hold azimuth and altitude as the file has them. */
-enum { RAW_AZIMUTH = DUCT_TILT_X, RAW_ALTITUDE = DUCT_TILT_Y };
+static const duct_channel raw_azimuth = DUCT_TILT_X, raw_altitude = DUCT_TILT_Y;
 
 typedef struct {
     duct_lines lines;
@@ -82,7 +82,7 @@ static bool sniff(const char *data, size_t size)
     return good && samples > 0 && (at.columns == COLUMNS || at.announced);
 }
 
-static duct_status read_samples(cursor *at, duct_samples *samples, duct_error *error)
+static duct_status read_samples(cursor *at, duct_recorded *samples, duct_error *error)
 {
     double values[COLUMNS];
     bool good, down = false;
@@ -93,9 +93,9 @@ static duct_status read_samples(cursor *at, duct_samples *samples, duct_error *e
         if (!down) {
             continue;
         }
-        duct_sample *sample;
+        duct_recorded_sample *sample;
         duct_status status =
-            duct_samples_add(samples, samples->stroke_count - (before ? 1 : 0), &sample, error);
+            duct_recorded_add(samples, samples->stroke_count - (before ? 1 : 0), &sample, error);
         if (status != DUCT_OK) {
             return status;
         }
@@ -103,8 +103,8 @@ static duct_status read_samples(cursor *at, duct_samples *samples, duct_error *e
         sample->values[DUCT_Y] = values[Y];
         sample->values[DUCT_T] = values[TIME];
         if (at->columns == COLUMNS) {
-            sample->values[RAW_AZIMUTH] = values[AZIMUTH];
-            sample->values[RAW_ALTITUDE] = values[ALTITUDE];
+            sample->values[raw_azimuth] = values[AZIMUTH];
+            sample->values[raw_altitude] = values[ALTITUDE];
             sample->values[DUCT_PRESSURE] = values[PRESSURE];
         }
     }
@@ -126,7 +126,7 @@ static duct_status read_samples(cursor *at, duct_samples *samples, duct_error *e
     return DUCT_OK;
 }
 
-static double largest(const duct_samples *samples, duct_channel channel)
+static double largest(const duct_recorded *samples, duct_channel channel)
 {
     double most = 0;
     for (size_t i = 0; i < samples->count; i++) {
@@ -136,7 +136,7 @@ static double largest(const duct_samples *samples, duct_channel channel)
 }
 
 /* Tablets tell apart 2^n levels; a file of small numbers only is told by the fewest that can be. */
-static double pressure_unit(const duct_samples *samples)
+static double pressure_unit(const duct_recorded *samples)
 {
     double most = largest(samples, DUCT_PRESSURE), levels = 1;
     if (most > 1) {
@@ -147,7 +147,7 @@ static double pressure_unit(const duct_samples *samples)
 }
 
 /* Milliseconds, unless samples then came faster than twice a millisecond. */
-static double time_unit(const duct_samples *samples)
+static double time_unit(const duct_recorded *samples)
 {
     double sum = 0;
     size_t steps = 0;
@@ -161,15 +161,15 @@ static double time_unit(const duct_samples *samples)
 }
 
 /* Tenths of a degree, unless no pen then stood higher than 9 degrees. */
-static double angle_unit(const duct_samples *samples)
+static double angle_unit(const duct_recorded *samples)
 {
-    double most = largest(samples, RAW_ALTITUDE);
+    double most = largest(samples, raw_altitude);
     return most > 90 ? DUCT_PI / 1800 : most > 1.6 ? DUCT_PI / 180 : 1;
 }
 
 /* Positions with a fraction are millimetres; others are the tablet's units, of which there are 200 a mm, or
  * 20 where a driver made them coarser: a recording in the finer ones hardly stays below 10000. */
-static double position_unit(const duct_samples *samples)
+static double position_unit(const duct_recorded *samples)
 {
     for (size_t i = 0; i < samples->count; i++) {
         double x = samples->items[i].values[DUCT_X], y = samples->items[i].values[DUCT_Y];
@@ -185,25 +185,25 @@ static double position_unit(const duct_samples *samples)
  * the writer: azimuth, clockwise from the direction of the second column, is then between 90 and 270 degrees.
  * Where it is on average between 270 and 360, the pen would lean away to the left, but towards the writer and
  * to the right with the columns exchanged. */
-static bool columns_are_exchanged(const duct_samples *samples, double angle)
+static bool columns_are_exchanged(const duct_recorded *samples, double angle)
 {
     double sine = 0, cosine = 0;
     for (size_t i = 0; i < samples->count; i++) {
-        sine += sin(samples->items[i].values[RAW_AZIMUTH] * angle);
-        cosine += cos(samples->items[i].values[RAW_AZIMUTH] * angle);
+        sine += sin(samples->items[i].values[raw_azimuth] * angle);
+        cosine += cos(samples->items[i].values[raw_azimuth] * angle);
     }
-    return sine < 0 && cosine > 0 && largest(samples, RAW_ALTITUDE) > 0;
+    return sine < 0 && cosine > 0 && largest(samples, raw_altitude) > 0;
 }
 
 /* The two angles become tilt; azimuth is clockwise from "up the page". */
-static void find_tilt(duct_samples *samples, double angle, bool exchanged)
+static void find_tilt(duct_recorded *samples, double angle, bool exchanged)
 {
-    bool known = largest(samples, RAW_ALTITUDE) > 0;
+    bool known = largest(samples, raw_altitude) > 0;
     for (size_t i = 0; i < samples->count; i++) {
         double *values = samples->items[i].values;
-        double azimuth = values[RAW_AZIMUTH] * angle;
+        double azimuth = values[raw_azimuth] * angle;
         /* Negative where the pen is turned round to erase. */
-        double altitude = fmin(fabs(values[RAW_ALTITUDE]) * angle, DUCT_PI / 2);
+        double altitude = fmin(fabs(values[raw_altitude]) * angle, DUCT_PI / 2);
         values[DUCT_TILT_X] = values[DUCT_TILT_Y] = NAN;
         if (known) {
             duct_recording_tilt(exchanged ? -azimuth : azimuth - DUCT_PI / 2, altitude, &values[DUCT_TILT_X],
@@ -213,7 +213,7 @@ static void find_tilt(duct_samples *samples, double angle, bool exchanged)
 }
 
 /* Moves the strokes' box to (0, 0) and turns y downwards. */
-static void find_positions(duct_samples *samples, bool exchanged)
+static void find_positions(duct_recorded *samples, bool exchanged)
 {
     double unit = position_unit(samples), left = INFINITY, top = -INFINITY;
     for (size_t i = 0; i < samples->count; i++) {
@@ -230,17 +230,17 @@ static void find_positions(duct_samples *samples, bool exchanged)
     }
 }
 
-static void convert(duct_samples *samples, int columns)
+static void convert(duct_recorded *samples, int columns)
 {
     double angle = angle_unit(samples), pressure = pressure_unit(samples);
     bool exchanged = columns == COLUMNS && columns_are_exchanged(samples, angle);
-    duct_samples_start_time(samples, time_unit(samples));
+    duct_recorded_start_time(samples, time_unit(samples));
     find_positions(samples, exchanged);
     find_tilt(samples, angle, exchanged);
     for (size_t i = 0; i < samples->count; i++) {
         samples->items[i].values[DUCT_PRESSURE] *= pressure;
     }
-    duct_samples_drop_silent(samples);
+    duct_recorded_drop_silent(samples);
 }
 
 static duct_status read(const duct_context *context, const char *data, size_t size,
@@ -249,14 +249,14 @@ static duct_status read(const duct_context *context, const char *data, size_t si
     (void)options;
     cursor at;
     begin(&at, data, size);
-    duct_samples samples;
-    duct_samples_init(&samples, duct_allocator_of(context));
+    duct_recorded samples;
+    duct_recorded_init(&samples, duct_allocator_of(context));
     duct_status status = read_samples(&at, &samples, error);
     if (status == DUCT_OK) {
         convert(&samples, at.columns);
-        status = duct_samples_make_strokes(&samples, drawing, error);
+        status = duct_recorded_make_strokes(&samples, drawing, error);
     }
-    duct_samples_free(&samples);
+    duct_recorded_free(&samples);
     return status;
 }
 

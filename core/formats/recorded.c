@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "formats/samples.h"
+#include "formats/recorded.h"
 
 #include "base/error.h"
 #include "base/number.h"
@@ -10,17 +10,18 @@
 /* Below this a tilt is the rounding of an upright pen's angles. */
 #define SILENCE 1e-9
 
-void duct_samples_init(duct_samples *samples, const duct_allocator *allocator)
+void duct_recorded_init(duct_recorded *samples, const duct_allocator *allocator)
 {
-    *samples = (duct_samples){.allocator = allocator};
+    *samples = (duct_recorded){.allocator = allocator};
 }
 
-void duct_samples_free(duct_samples *samples)
+void duct_recorded_free(duct_recorded *samples)
 {
     duct_release(samples->allocator, samples->items);
 }
 
-duct_status duct_samples_add(duct_samples *samples, size_t stroke, duct_sample **sample, duct_error *error)
+duct_status duct_recorded_add(duct_recorded *samples, size_t stroke, duct_recorded_sample **sample,
+                              duct_error *error)
 {
     if (samples->count >= DUCT_MAX_SAMPLES || stroke >= DUCT_MAX_STROKES) {
         return duct_fail(error, DUCT_LIMIT, "there are more than %d samples or %d strokes", DUCT_MAX_SAMPLES,
@@ -32,7 +33,7 @@ duct_status duct_samples_add(duct_samples *samples, size_t stroke, duct_sample *
         return duct_fail_memory(error);
     }
     samples->items = items;
-    duct_sample *added = &samples->items[samples->count++];
+    duct_recorded_sample *added = &samples->items[samples->count++];
     added->stroke = stroke;
     for (int c = 0; c < DUCT_CHANNEL_COUNT; c++) {
         added->values[c] = NAN;
@@ -42,7 +43,7 @@ duct_status duct_samples_add(duct_samples *samples, size_t stroke, duct_sample *
     return DUCT_OK;
 }
 
-static bool is_silent(const duct_samples *samples, duct_channel channel)
+static bool is_silent(const duct_recorded *samples, duct_channel channel)
 {
     for (size_t i = 0; i < samples->count; i++) {
         if (fabs(samples->items[i].values[channel]) > SILENCE) {
@@ -52,14 +53,14 @@ static bool is_silent(const duct_samples *samples, duct_channel channel)
     return true;
 }
 
-static void forget(duct_samples *samples, duct_channel channel)
+static void forget(duct_recorded *samples, duct_channel channel)
 {
     for (size_t i = 0; i < samples->count; i++) {
         samples->items[i].values[channel] = NAN;
     }
 }
 
-void duct_samples_drop_silent(duct_samples *samples)
+void duct_recorded_drop_silent(duct_recorded *samples)
 {
     if (is_silent(samples, DUCT_PRESSURE)) {
         forget(samples, DUCT_PRESSURE);
@@ -73,7 +74,7 @@ void duct_samples_drop_silent(duct_samples *samples)
     }
 }
 
-void duct_samples_start_time(duct_samples *samples, double unit)
+void duct_recorded_start_time(duct_recorded *samples, double unit)
 {
     double start = NAN;
     for (size_t i = 0; i < samples->count; i++) {
@@ -102,11 +103,11 @@ static duct_status add_strokes(duct_drawing *drawing, const size_t *sizes, size_
 }
 
 /* Puts the samples into the strokes; `filled` counts how many each has. */
-static duct_status fill_strokes(const duct_samples *samples, duct_drawing *drawing, size_t first,
+static duct_status fill_strokes(const duct_recorded *samples, duct_drawing *drawing, size_t first,
                                 size_t *filled, const bool used[DUCT_CHANNEL_COUNT], duct_error *error)
 {
     for (size_t i = 0; i < samples->count; i++) {
-        const duct_sample *sample = &samples->items[i];
+        const duct_recorded_sample *sample = &samples->items[i];
         duct_stroke *stroke = duct_drawing_edit_stroke(drawing, first + sample->stroke);
         size_t k = filled[sample->stroke]++;
         for (int c = 0; c < DUCT_CHANNEL_COUNT; c++) {
@@ -135,7 +136,7 @@ static void finish_stroke(duct_stroke *stroke)
     duct_recording_tidy(stroke);
 }
 
-duct_status duct_samples_make_strokes(const duct_samples *samples, duct_drawing *drawing, duct_error *error)
+duct_status duct_recorded_make_strokes(const duct_recorded *samples, duct_drawing *drawing, duct_error *error)
 {
     bool used[DUCT_CHANNEL_COUNT] = {true, true};
     size_t count = samples->stroke_count, first = duct_drawing_stroke_count(drawing);
