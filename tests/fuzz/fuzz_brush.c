@@ -23,7 +23,7 @@ static void paint(const duct_brush *brush)
         memcpy(duct_stroke_edit(stroke, DUCT_X), x, sizeof x);
         memcpy(duct_stroke_edit(stroke, DUCT_Y), x, sizeof x);
         memcpy(duct_stroke_edit(stroke, DUCT_PRESSURE), pressure, sizeof pressure);
-        fuzz_require(duct_canvas_paint(canvas, brush, stroke, &options, &error) == DUCT_OK);
+        fuzz_require(duct_canvas_paint(canvas, brush, stroke, &options, &error) == DUCT_OK, error.message);
     }
     duct_canvas_free(canvas);
     duct_drawing_free(drawing);
@@ -42,7 +42,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         if (duct_brush_parse(brush, text, &error) == DUCT_OK) {
             paint(brush);
         } else {
-            fuzz_require(error.message[0] != '\0');
+            fuzz_require(error.message[0] != '\0', error.message);
         }
     }
     free(text);

@@ -19,10 +19,10 @@ static void check_stroke(const duct_stroke *stroke)
     for (int c = 0; c < DUCT_CHANNEL_COUNT; c++) {
         const double *values = duct_stroke_values(stroke, (duct_channel)c);
         for (size_t k = 0; values != NULL && k < duct_stroke_size(stroke); k++) {
-            fuzz_require(isfinite(values[k]));
-            fuzz_require(c != DUCT_PRESSURE || (values[k] >= 0 && values[k] <= 1));
-            fuzz_require((c != DUCT_TILT_X && c != DUCT_TILT_Y) || fabs(values[k]) <= 1.5708);
-            fuzz_require(c != DUCT_T || k == 0 || values[k] >= values[k - 1]);
+            fuzz_require(isfinite(values[k]), "");
+            fuzz_require(c != DUCT_PRESSURE || (values[k] >= 0 && values[k] <= 1), "");
+            fuzz_require((c != DUCT_TILT_X && c != DUCT_TILT_Y) || fabs(values[k]) <= 1.5708, "");
+            fuzz_require(c != DUCT_T || k == 0 || values[k] >= values[k - 1], "");
         }
     }
 }
@@ -33,10 +33,10 @@ static void check_written(const duct_drawing *drawing, const char *id)
     char *written = NULL;
     size_t size = 0;
     duct_status status = duct_drawing_write_memory(NULL, drawing, id, NULL, &written, &size, &error);
-    fuzz_require(status == DUCT_OK && strlen(written) == size);
+    fuzz_require(status == DUCT_OK && strlen(written) == size, error.message);
     duct_drawing *back = NULL;
     status = duct_drawing_read_memory(NULL, written, size, "back", id, NULL, &back, &error);
-    fuzz_require(status == DUCT_OK);
+    fuzz_require(status == DUCT_OK, error.message);
     duct_drawing_free(back);
     duct_memory_free(NULL, written);
 }
@@ -47,9 +47,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     duct_drawing *drawing = NULL;
     duct_status status = duct_drawing_read_memory(NULL, data, size, "fuzzed", *fuzzed != '\0' ? fuzzed : NULL,
                                                   NULL, &drawing, &error);
-    fuzz_require((status == DUCT_OK) == (drawing != NULL));
+    fuzz_require((status == DUCT_OK) == (drawing != NULL), error.message);
     if (drawing == NULL) {
-        fuzz_require(strncmp(error.message, "fuzzed: ", 8) == 0 && error.message[8] != '\0');
+        fuzz_require(strncmp(error.message, "fuzzed: ", 8) == 0 && error.message[8] != '\0', error.message);
         return 0;
     }
     for (size_t i = 0; i < duct_drawing_stroke_count(drawing); i++) {

@@ -27,9 +27,9 @@ static bool is_taken(duct_library *library, const void *data, size_t size)
 {
     float got[ROWS * DIMENSIONS] = {0};
     FILE *file = fopen(path(), "wb");
-    fuzz_require(file != NULL && fwrite(data, 1, size, file) == size && fclose(file) == 0);
+    fuzz_require(file != NULL && fwrite(data, 1, size, file) == size && fclose(file) == 0, "");
     bool taken = duct_index_read(library, key, got, ROWS, DIMENSIONS);
-    fuzz_require(!taken || memcmp(got, rows, sizeof rows) == 0);
+    fuzz_require(!taken || memcmp(got, rows, sizeof rows) == 0, "");
     unlink(path());
     return taken;
 }
@@ -42,19 +42,21 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     duct_error error;
     strcpy(name, path());
     library.index_path = name;
-    fuzz_require(duct_index_write(&library, name, key, rows, ROWS, DIMENSIONS, &error) == DUCT_OK);
-    fuzz_require(duct_file_read(&library.allocator, name, 1 << 20, &good, &good_size, &error) == DUCT_OK);
+    fuzz_require(duct_index_write(&library, name, key, rows, ROWS, DIMENSIONS, &error) == DUCT_OK,
+                 error.message);
+    fuzz_require(duct_file_read(&library.allocator, name, 1 << 20, &good, &good_size, &error) == DUCT_OK,
+                 error.message);
     char *changed = malloc(good_size);
-    fuzz_require(changed != NULL && is_taken(&library, good, good_size));
+    fuzz_require(changed != NULL && is_taken(&library, good, good_size), "");
     memcpy(changed, good, good_size);
     for (size_t i = 0; i + 2 < size; i += 3) {
         changed[(data[i] * 256u + data[i + 1]) % good_size] = (char)data[i + 2];
     }
     size_t length = size > 0 && data[size - 1] % 2 == 0 ? data[size - 1] * good_size / 256 : good_size;
     bool same = length == good_size && memcmp(changed, good, good_size) == 0;
-    fuzz_require(is_taken(&library, changed, length) == same);
+    fuzz_require(is_taken(&library, changed, length) == same, "");
     same = size == good_size && memcmp(data, good, size) == 0;
-    fuzz_require(is_taken(&library, data, size) == same);
+    fuzz_require(is_taken(&library, data, size) == same, "");
     free(changed);
     duct_release(&library.allocator, good);
     return 0;

@@ -1,93 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The operation as its users call it: whole drawings, from the table's settings to the result. */
-#include "testing.h"
+#include "operations/curls.h"
 
 #include "drawing/drawing_private.h"
 
 #include <ductus/ductus.h>
 
-#include <json-c/json.h>
 #include <math.h>
-
-/* A made-up hand: curly strokes whose pressure and twist follow their curvature. */
-static void add_curl(duct_drawing *drawing, size_t s, double left, double top, double size, bool pose)
-{
-    duct_error error;
-    duct_stroke *stroke;
-    char id[16];
-    snprintf(id, sizeof id, "s%zu", s);
-    size_t count = 40 + 7 * (s % 5);
-    assert_ok(duct_drawing_add_stroke(drawing, id, count, &stroke, &error));
-    double *x = duct_stroke_edit(stroke, DUCT_X), *y = duct_stroke_edit(stroke, DUCT_Y);
-    double *p = pose ? duct_stroke_edit(stroke, DUCT_PRESSURE) : NULL;
-    double *tx = pose ? duct_stroke_edit(stroke, DUCT_TILT_X) : NULL,
-           *ty = pose ? duct_stroke_edit(stroke, DUCT_TILT_Y) : NULL;
-    double *tw = pose ? duct_stroke_edit(stroke, DUCT_TWIST) : NULL;
-    double angle = 0.7 * (double)s, at_x = left, at_y = top;
-    for (size_t i = 0; i < count; i++) {
-        double bend = 0.16 * sin(0.21 * (double)i * (1 + 0.2 * (double)(s % 3)) + (double)s);
-        angle += bend;
-        at_x += size * cos(angle);
-        at_y += size * sin(angle);
-        x[i] = at_x;
-        y[i] = at_y;
-        if (pose) {
-            p[i] = 0.5 + 2.5 * bend * sin(3.2 * (double)i / (double)count);
-            tx[i] = 0.3 + 0.1 * cos(angle);
-            ty[i] = -0.4 + 0.1 * sin(angle);
-            tw[i] = 5 + 0.3 * sin(angle);
-        }
-    }
-}
-
-static duct_library *make_hand(bool pose)
-{
-    duct_error error;
-    duct_drawing *recording;
-    duct_library *library;
-    assert_ok(duct_drawing_new(NULL, &recording, &error));
-    for (size_t s = 0; s < 30; s++) {
-        add_curl(recording, s, 50.0 * (double)(s % 6), 80.0 * (double)(s / 6), 2, pose);
-    }
-    const duct_drawing *list[] = {recording};
-    assert_ok(duct_library_build(NULL, list, 1, NULL, &library, &error));
-    duct_drawing_free(recording);
-    return library;
-}
-
-static duct_drawing *make_drawing(size_t strokes, double left, double top, double size)
-{
-    duct_error error;
-    duct_drawing *drawing;
-    assert_ok(duct_drawing_new(NULL, &drawing, &error));
-    for (size_t s = 0; s < strokes; s++) {
-        /* Turned half round, so that the hand has no stroke that is the same. */
-        add_curl(drawing, 3 * s + 1, left + 60 * size * (double)s, top, -2.5 * size, false);
-    }
-    return drawing;
-}
-
-/* Runs restyle with pairs of parameter and value, ended by NULL. */
-static duct_drawing *run(const duct_context *context, const duct_library *hand, const duct_drawing *input,
-                         ...)
-{
-    duct_error error;
-    const duct_operation *operation;
-    duct_settings *settings;
-    duct_drawing *output;
-    assert_ok(duct_operation_find("restyle", &operation, &error));
-    assert_ok(duct_settings_new(NULL, operation, &settings, &error));
-    assert_ok(duct_settings_library(settings, "hand", hand, &error));
-    va_list list;
-    va_start(list, input);
-    for (const char *param = va_arg(list, const char *); param != NULL; param = va_arg(list, const char *)) {
-        assert_ok(duct_settings_set(settings, param, va_arg(list, const char *), &error));
-    }
-    va_end(list);
-    assert_ok(duct_operation_run(context, settings, input, NULL, &output, &error));
-    duct_settings_free(settings);
-    return output;
-}
 
 static void assert_same_bytes(const duct_drawing *a, const duct_drawing *b)
 {
@@ -518,148 +437,6 @@ static void cancelling_gives_nothing(void **state)
     duct_library_free(hand);
 }
 
-/* A trace's text. */
-typedef struct {
-    char *text;
-    size_t size;
-} traced;
-
-static bool keep_trace(void *user, const char *text, size_t size)
-{
-    traced *self = user;
-    self->text = realloc(self->text, self->size + size + 1);
-    memcpy(self->text + self->size, text, size);
-    self->size += size;
-    self->text[self->size] = '\0';
-    return true;
-}
-
-static double number_at(struct json_object *object, const char *key)
-{
-    struct json_object *value = NULL;
-    assert_true(json_object_object_get_ex(object, key, &value));
-    return json_object_get_double(value);
-}
-
-/* Anyone can recompute the costs from the trace alone: the features' sum, the jumps' distances, segments,
- * ends. */
-static void check_pass(struct json_object *pass, struct json_object *lengths)
-{
-    struct json_object *samples = NULL, *costs = NULL, *name = NULL;
-    assert_true(json_object_object_get_ex(pass, "samples", &samples));
-    assert_true(json_object_object_get_ex(pass, "costs", &costs));
-    assert_true(json_object_object_get_ex(pass, "pass", &name));
-    bool pose = strcmp(json_object_get_string(name), "pose") == 0;
-    double twist = number_at(pass, "twist_deviation"), feature = 0, transition = 0, brief = 0, end = 0;
-    size_t count = json_object_array_length(samples), length = 1;
-    double vector[4] = {0}, last_vector[4] = {0};
-    int stroke = 0, sample = 0, last_stroke = 0, last_sample = 0, before = -1;
-    for (size_t i = 0; i < count; i++) {
-        struct json_object *entry = json_object_array_get_idx(samples, i), *chosen = NULL, *candidates = NULL,
-                           *vectors = NULL;
-        json_object_object_get_ex(entry, "chosen", &chosen);
-        json_object_object_get_ex(entry, "candidates", &candidates);
-        json_object_object_get_ex(entry, "vectors", &vectors);
-        stroke = json_object_get_int(json_object_array_get_idx(chosen, 0));
-        sample = json_object_get_int(json_object_array_get_idx(chosen, 1));
-        bool found = false;
-        for (size_t n = 0; n < json_object_array_length(candidates); n++) {
-            struct json_object *row = json_object_array_get_idx(candidates, n);
-            if (json_object_equal(row, chosen)) {
-                struct json_object *numbers = json_object_array_get_idx(vectors, n);
-                for (size_t k = 0; k < json_object_array_length(numbers); k++) {
-                    vector[k] = json_object_get_double(json_object_array_get_idx(numbers, k));
-                }
-                found = true;
-            }
-        }
-        assert_true(found);
-        feature += json_object_get_double(json_object_array_get_idx(chosen, 2));
-        int own = json_object_get_int(json_object_array_get_idx(lengths, (size_t)stroke));
-        if (i == 0) {
-            end += 3 * sample;
-        } else {
-            bool same = stroke == last_stroke, jump = false;
-            if (same && sample == last_sample + 1) {
-                ;
-            } else if (same && sample == last_sample && before != 1) {
-                transition += 3;
-            } else if (same && sample == last_sample + 2) {
-                transition += 3;
-            } else {
-                jump = true;
-                double distance;
-                if (pose) {
-                    double turn = twist > 0 ? remainder(vector[3] - last_vector[3], 2 * M_PI) / twist : 0;
-                    distance = sqrt(pow(vector[0] - last_vector[0], 2) + pow(vector[1] - last_vector[1], 2) +
-                                    pow(vector[2] - last_vector[2], 2) + turn * turn);
-                } else {
-                    distance = 1 - (vector[0] * last_vector[0] + vector[1] * last_vector[1]);
-                }
-                transition += 50 + 10 * distance;
-            }
-            before = same && sample == last_sample;
-            if (jump) {
-                brief += length < 12 ? pow(3 + 12 - (double)length, 2) : 0;
-            }
-            length = jump ? 1 : length + 1;
-        }
-        if (i + 1 == count) {
-            brief += length < 12 ? pow(3 + 12 - (double)length, 2) : 0;
-            end += 3 * (own - 1 - sample);
-        }
-        last_stroke = stroke;
-        last_sample = sample;
-        memcpy(last_vector, vector, sizeof vector);
-    }
-    assert_true(fabs(feature - number_at(costs, "feature")) < 1e-6 * (1 + feature));
-    assert_true(fabs(transition - number_at(costs, "transition")) < 1e-6 * (1 + transition));
-    assert_true(fabs(brief - number_at(costs, "short")) < 1e-6 * (1 + brief));
-    assert_true(fabs(end - number_at(costs, "endpoint")) < 1e-6 * (1 + end));
-    assert_true(fabs(feature + transition + brief + end - number_at(costs, "total")) < 1e-5 * (1 + feature));
-}
-
-static void the_trace_says_what_was_chosen_and_why(void **state)
-{
-    (void)state;
-    duct_error error;
-    duct_library *hand = make_hand(true);
-    duct_drawing *input = make_drawing(7, 0, 0, 1), *output;
-    duct_settings *settings;
-    assert_ok(duct_settings_new(NULL, duct_operation_at(0), &settings, &error));
-    assert_ok(duct_settings_library(settings, "hand", hand, &error));
-    traced first = {NULL, 0}, second = {NULL, 0};
-    duct_context context = duct_context_default();
-    for (int threads = 1; threads <= 4; threads += 3) {
-        context.threads = threads;
-        duct_run_options options = {keep_trace, threads == 1 ? &first : &second};
-        assert_ok(duct_operation_run(&context, settings, input, &options, &output, &error));
-        duct_drawing_free(output);
-    }
-    assert_int_equal(first.size, second.size);
-    assert_memory_equal(first.text, second.text, first.size);
-    struct json_object *root = json_tokener_parse(first.text), *strokes = NULL, *library = NULL,
-                       *lengths = NULL;
-    assert_non_null(root);
-    assert_true(json_object_object_get_ex(root, "strokes", &strokes));
-    assert_true(json_object_object_get_ex(root, "library", &library));
-    assert_true(json_object_object_get_ex(library, "stroke_samples", &lengths));
-    assert_int_equal(json_object_array_length(strokes), 7);
-    for (size_t s = 0; s < 7; s++) {
-        struct json_object *passes = NULL;
-        assert_true(json_object_object_get_ex(json_object_array_get_idx(strokes, s), "passes", &passes));
-        assert_int_equal(json_object_array_length(passes), 2);
-        check_pass(json_object_array_get_idx(passes, 0), lengths);
-        check_pass(json_object_array_get_idx(passes, 1), lengths);
-    }
-    json_object_put(root);
-    free(first.text);
-    free(second.text);
-    duct_settings_free(settings);
-    duct_drawing_free(input);
-    duct_library_free(hand);
-}
-
 static void survives_failing_allocations(void **state)
 {
     (void)state;
@@ -752,7 +529,6 @@ int main(void)
         cmocka_unit_test(a_million_samples_are_one_stroke),
         cmocka_unit_test(an_absurd_scale_is_a_limit),
         cmocka_unit_test(cancelling_gives_nothing),
-        cmocka_unit_test(the_trace_says_what_was_chosen_and_why),
         cmocka_unit_test(survives_failing_allocations),
         cmocka_unit_test(real_hands_restyle_real_pages),
     };
