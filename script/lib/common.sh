@@ -9,6 +9,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 packages=(
   build-essential cmake ninja-build pkg-config python3 clang-format
   libcairo2-dev libflann-dev libgeos-dev libjson-c-dev liblapacke-dev libmypaint-dev libopenimageio-dev libxml2-dev
+  zlib1g-dev
   libcmocka-dev
 )
 

@@ -10,7 +10,7 @@
 
 static void paint(const duct_brush *brush)
 {
-    duct_error error;
+    duct_error error = {DUCT_OK, ""};
     duct_canvas *canvas = NULL;
     duct_drawing *drawing = NULL;
     duct_stroke *stroke = NULL;

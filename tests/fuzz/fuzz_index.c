@@ -39,7 +39,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     duct_library library = {.allocator = *duct_allocator_of(NULL), .fingerprint = 77};
     char name[64], *good;
     size_t good_size;
-    duct_error error;
+    duct_error error = {DUCT_OK, ""};
     strcpy(name, path());
     library.index_path = name;
     fuzz_require(duct_index_write(&library, name, key, rows, ROWS, DIMENSIONS, &error) == DUCT_OK,
