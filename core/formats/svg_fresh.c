@@ -54,7 +54,7 @@ static duct_status add_stroke(const duct_svg_new_strokes *strokes, const duct_st
     if (status == DUCT_OK && (path.failed || out->failed)) {
         status = duct_fail_memory(error);
     }
-    duct_path_free(&path);
+    duct_path_done(&path);
     return status;
 }
 

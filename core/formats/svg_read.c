@@ -100,7 +100,7 @@ static duct_status visit(void *user, const duct_svg_shape *shape, duct_error *er
         }
         r->parts++;
     }
-    duct_path_free(&path);
+    duct_path_done(&path);
     return status;
 }
 

@@ -326,8 +326,8 @@ static duct_status rewrite(writer *w, const element *e, duct_error *error)
     if (status == DUCT_OK && e->outlines) {
         write_outline(w, e, outline_d.data, fills);
     }
-    duct_path_free(&spine);
-    duct_path_free(&outline);
+    duct_path_done(&spine);
+    duct_path_done(&outline);
     duct_text_free(&spine_d);
     duct_text_free(&outline_d);
     return status;
@@ -350,7 +350,7 @@ static duct_status visit(void *user, const duct_svg_shape *shape, duct_error *er
             copy_until(w, tag->begin - indentation(w, tag).size, tag->close_end);
         }
     }
-    duct_path_free(&e.path);
+    duct_path_done(&e.path);
     return status;
 }
 

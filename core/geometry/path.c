@@ -8,7 +8,7 @@ void duct_path_init(duct_path *path, const duct_allocator *allocator)
     *path = (duct_path){.allocator = allocator};
 }
 
-void duct_path_free(duct_path *path)
+void duct_path_done(duct_path *path)
 {
     if (path->allocator != NULL) {
         duct_release(path->allocator, path->verbs);

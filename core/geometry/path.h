@@ -26,7 +26,7 @@ typedef struct duct_path {
 } duct_path;
 
 void duct_path_init(duct_path *path, const duct_allocator *allocator);
-void duct_path_free(duct_path *path);
+void duct_path_done(duct_path *path);
 void duct_path_move(duct_path *path, double x, double y);
 void duct_path_line(duct_path *path, double x, double y);
 void duct_path_cubic(duct_path *path, double x1, double y1, double x2, double y2, double x, double y);

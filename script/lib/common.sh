@@ -10,7 +10,15 @@ packages=(
   build-essential cmake ninja-build pkg-config python3 clang-format
   libcairo2-dev libflann-dev libgeos-dev libjson-c-dev liblapacke-dev libmypaint-dev libopenimageio-dev libxml2-dev
   zlib1g-dev
+  libgimp2.0-dev
   libcmocka-dev
+)
+
+# The programs that the plug-ins are tried in, and what looks at their windows.
+host_packages=(
+  gimp inkscape blender
+  python3-lxml python3-cssselect python3-numpy
+  xvfb xauth xdotool x11-utils imagemagick
 )
 
 say() { printf '==> %s\n' "$*"; }
@@ -34,19 +42,21 @@ run_quietly() {
   rm -f "$log"
 }
 
+# missing_packages PACKAGE...
 missing_packages() {
   local package
-  for package in "${packages[@]}"; do
+  for package in "$@"; do
     if ! dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed'; then
       printf '%s\n' "$package"
     fi
   done
 }
 
+# install_packages [PACKAGE...]: what the build needs, and these.
 install_packages() {
   local -a missing as_root=()
-  command -v dpkg-query >/dev/null || die "this needs Debian's packages: ${packages[*]}"
-  mapfile -t missing < <(missing_packages)
+  command -v dpkg-query >/dev/null || die "this needs Debian's packages: ${packages[*]} $*"
+  mapfile -t missing < <(missing_packages "${packages[@]}" "$@")
   if [ ${#missing[@]} -eq 0 ]; then
     return
   fi

@@ -91,7 +91,7 @@ static void arcs_stay_on_their_circle(void **state)
     assert_near(points.x[points.count - 1], 0, 0);
     assert_near(points.y[points.count - 1], -100, 0);
     duct_points_free(&points);
-    duct_path_free(&path);
+    duct_path_done(&path);
 }
 
 static void arcs_follow_all_four_flags(void **state)
@@ -115,7 +115,7 @@ static void arcs_follow_all_four_flags(void **state)
             }
             assert_near(most, expected[large][sweep], 1e-3);
             duct_points_free(&points);
-            duct_path_free(&path);
+            duct_path_done(&path);
         }
     }
 }
@@ -140,7 +140,7 @@ static void arcs_degenerate_as_the_specification_says(void **state)
     for (size_t i = 0; i < 2 * path.point_count; i++) {
         assert_true(path.points[i] == path.points[i]);
     }
-    duct_path_free(&path);
+    duct_path_done(&path);
 }
 
 static double distance_to(const duct_points *points, double x, double y)
@@ -197,7 +197,7 @@ static void quadratics_become_equal_cubics(void **state)
         assert_near(points.y[i], 40 * t * (1 - t), 1e-9);
     }
     duct_points_free(&points);
-    duct_path_free(&path);
+    duct_path_done(&path);
 }
 
 static void flattening_drops_points_that_coincide(void **state)
@@ -215,13 +215,13 @@ static void flattening_drops_points_that_coincide(void **state)
     duct_path_close(&path);
     flatten(&points, &path, 0.05);
     assert_int_equal(points.count, 2);
-    duct_path_free(&path);
+    duct_path_done(&path);
     duct_path_move(&path, 3, 3);
     duct_path_close(&path);
     flatten(&points, &path, 0.05);
     assert_int_equal(points.count, 1);
     duct_points_free(&points);
-    duct_path_free(&path);
+    duct_path_done(&path);
 }
 
 static void huge_curves_end_at_the_limit(void **state)
@@ -257,8 +257,8 @@ static void subpaths_are_walked_and_copied(void **state)
     assert_int_equal(copy.verb_count, 3);
     assert_near(copy.points[7], 7, 0);
     assert_false(duct_path_next(&path, &subpath));
-    duct_path_free(&path);
-    duct_path_free(&copy);
+    duct_path_done(&path);
+    duct_path_done(&copy);
 }
 
 static void failed_allocations_leak_nothing(void **state)

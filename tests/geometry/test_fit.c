@@ -135,7 +135,7 @@ static void empty_input_adds_nothing(void **state)
     points p = {NULL, NULL, 0};
     duct_path path = fit(&p, false, 0.1);
     assert_int_equal(path.verb_count, 0);
-    duct_path_free(&path);
+    duct_path_done(&path);
 }
 
 static void degenerate_input_gives_short_paths(void **state)
@@ -148,7 +148,7 @@ static void degenerate_input_gives_short_paths(void **state)
             duct_path path = fit(&p, closed, 0.1);
             assert_int_equal(path.verbs[0], DUCT_PATH_MOVE);
             assert_true(duct_path_nodes(&path) <= 2);
-            duct_path_free(&path);
+            duct_path_done(&path);
         }
     }
     p.count = 2;
@@ -156,7 +156,7 @@ static void degenerate_input_gives_short_paths(void **state)
     duct_path path = fit(&p, false, 0.1);
     assert_int_equal(path.verb_count, 2);
     assert_int_equal(path.verbs[1], DUCT_PATH_LINE);
-    duct_path_free(&path);
+    duct_path_done(&path);
     points_free(&p);
 }
 
@@ -171,7 +171,7 @@ static void samples_of_n_cubics_give_about_n_cubics(void **state)
         segments += n;
         nodes += duct_path_nodes(&path) - 1;
         assert_true(worst_distance(&p, &path) <= 0.2 + 1e-3);
-        duct_path_free(&path);
+        duct_path_done(&path);
         points_free(&p);
     }
     assert_true((double)nodes <= 1.5 * (double)segments);
@@ -191,7 +191,7 @@ static void every_sample_is_within_the_tolerance(void **state)
         for (int closed = 0; closed <= 1; closed++) {
             duct_path path = fit(&p, closed, tolerances[k]);
             assert_true(worst_distance(&p, &path) <= 1.001 * tolerances[k] + 1e-3);
-            duct_path_free(&path);
+            duct_path_done(&path);
         }
         points_free(&p);
     }
@@ -219,7 +219,7 @@ static void curves_do_not_bulge_between_samples(void **state)
     }
     assert_true(worst < 10);
     points_free(&flat);
-    duct_path_free(&path);
+    duct_path_done(&path);
     points_free(&p);
 }
 
@@ -241,7 +241,7 @@ static void circles_are_smooth_at_the_seam(void **state)
                by = last[1] - last[-1];
         assert_true(fabs(ax * by - ay * bx) < 1e-6 * hypot(ax, ay) * hypot(bx, by));
         assert_true(ax * bx + ay * by > 0);
-        duct_path_free(&path);
+        duct_path_done(&path);
         points_free(&p);
     }
 }
@@ -272,7 +272,7 @@ static void corners_and_straight_runs_are_kept(void **state)
             for (size_t i = 1; i + 1 < path.verb_count; i++) {
                 assert_int_equal(path.verbs[i], DUCT_PATH_LINE);
             }
-            duct_path_free(&path);
+            duct_path_done(&path);
             points_free(&p);
         }
     }
@@ -293,7 +293,7 @@ static void collinear_back_and_forth_keeps_its_ends(void **state)
     }
     assert_true(fabs(most - 100) <= 0.1);
     assert_true(duct_path_nodes(&path) <= 6);
-    duct_path_free(&path);
+    duct_path_done(&path);
     points_free(&p);
 }
 
@@ -309,7 +309,7 @@ static void dense_noise_below_the_tolerance_adds_no_nodes(void **state)
     }
     duct_path path = fit(&p, false, 0.1);
     assert_true(duct_path_nodes(&path) <= 30);
-    duct_path_free(&path);
+    duct_path_done(&path);
     points_free(&p);
 }
 
@@ -325,13 +325,13 @@ static void a_million_samples_take_no_quadratic_time(void **state)
     }
     duct_path path = fit(&p, false, 0.1);
     assert_true(duct_path_nodes(&path) < 80);
-    duct_path_free(&path);
+    duct_path_done(&path);
     for (size_t i = 1; i < p.count; i++) {
         p.x[i] = p.x[i - 1] + uniform(-1, 1);
         p.y[i] = p.y[i - 1] + uniform(-1, 1);
     }
     path = fit(&p, true, 0.1);
-    duct_path_free(&path);
+    duct_path_done(&path);
     points_free(&p);
 }
 
@@ -343,16 +343,16 @@ static void hostile_values_do_no_harm(void **state)
         for (int closed = 0; closed <= 1; closed++) {
             points p = square(5, 0);
             duct_path path = fit(&p, closed, bad[k]);
-            duct_path_free(&path);
+            duct_path_done(&path);
             p.x[3] = bad[k];
             p.y[7] = bad[k];
             path = fit(&p, closed, 0.1);
-            duct_path_free(&path);
+            duct_path_done(&path);
             for (size_t i = 0; i < p.count; i++) {
                 p.x[i] = bad[k];
             }
             path = fit(&p, closed, 0.1);
-            duct_path_free(&path);
+            duct_path_done(&path);
             points_free(&p);
         }
     }
@@ -372,7 +372,7 @@ static void failed_allocations_are_told(void **state)
         duct_fit_curve(p.x, p.y, p.count, false, 0.05, &path);
         done = failing.calls < n;
         assert_int_equal(path.failed, !done);
-        duct_path_free(&path);
+        duct_path_done(&path);
         assert_int_equal(failing.held, 0);
     }
     points_free(&p);

@@ -30,7 +30,7 @@ static void empty_path_writes_nothing(void **state)
     duct_path_init(&path, duct_allocator_of(NULL));
     assert_svg(&path, 3, "");
     assert_int_equal(duct_path_nodes(&path), 0);
-    duct_path_free(&path);
+    duct_path_done(&path);
 }
 
 static void svg_has_absolute_commands(void **state)
@@ -40,7 +40,7 @@ static void svg_has_absolute_commands(void **state)
     duct_path_init(&path, duct_allocator_of(NULL));
     draw(&path);
     assert_svg(&path, 3, "M 1,2.5 L 0,1000 C 1,2 3,4 5,6 Z");
-    duct_path_free(&path);
+    duct_path_done(&path);
 }
 
 static void nodes_count_what_an_editor_shows(void **state)
@@ -58,7 +58,7 @@ static void nodes_count_what_an_editor_shows(void **state)
     assert_int_equal(duct_path_nodes(&path), 5);
     duct_path_close(&path);
     assert_int_equal(duct_path_nodes(&path), 5);
-    duct_path_free(&path);
+    duct_path_done(&path);
 }
 
 static void failed_allocation_sets_failed_and_nothing_else_happens(void **state)
@@ -73,7 +73,7 @@ static void failed_allocation_sets_failed_and_nothing_else_happens(void **state)
         assert_true(path.failed);
         assert_int_equal(path.verb_count, 0);
         assert_int_equal(path.point_count, 0);
-        duct_path_free(&path);
+        duct_path_done(&path);
         assert_int_equal(failing.held, 0);
     }
 }

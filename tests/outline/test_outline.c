@@ -74,7 +74,7 @@ static void empty_stroke_adds_nothing(void **state)
     sheet s = sheet_new(0);
     duct_path path = outline_of(s.stroke, NULL);
     assert_int_equal(path.verb_count, 0);
-    duct_path_free(&path);
+    duct_path_done(&path);
     duct_drawing_free(s.drawing);
 }
 
@@ -88,7 +88,7 @@ static void one_sample_gives_a_dot(void **state)
     assert_true(duct_path_nodes(&path) <= 4);
     assert_int_equal(path.verbs[path.verb_count - 1], DUCT_PATH_CLOSE);
     assert_near(path_area(&path), 25 * pi, 0.1 * 10 * pi);
-    duct_path_free(&path);
+    duct_path_done(&path);
     duct_drawing_free(s.drawing);
 }
 
@@ -102,7 +102,7 @@ static void samples_in_one_place_give_a_dot_of_the_largest(void **state)
     duct_path path = outline_of(s.stroke, &options);
     assert_int_equal(ring_count(&path), 1);
     assert_near(path_area(&path), 25 * pi, 0.1 * 10 * pi);
-    duct_path_free(&path);
+    duct_path_done(&path);
     duct_drawing_free(s.drawing);
 }
 
@@ -118,7 +118,7 @@ static void straight_line_is_a_bar_with_round_ends_of_few_nodes(void **state)
     assert_near(size[1], 10, 0.3);
     assert_near(path_area(&path), 1000 + 25 * pi, 0.1 * 231);
     assert_true(duct_path_nodes(&path) <= 10);
-    duct_path_free(&path);
+    duct_path_done(&path);
     duct_drawing_free(s.drawing);
 }
 
@@ -134,7 +134,7 @@ static void width_comes_from_the_stroke_where_none_is_given(void **state)
     double size[2];
     extent(&path, size);
     assert_near(size[1], 6, 0.3);
-    duct_path_free(&path);
+    duct_path_done(&path);
     duct_drawing_free(s.drawing);
 }
 
@@ -152,7 +152,7 @@ static void width_follows_pressure(void **state)
         double size[2];
         extent(&path, size);
         assert_near(size[1], widths[k], 0.3);
-        duct_path_free(&path);
+        duct_path_done(&path);
         duct_drawing_free(s.drawing);
     }
 }
@@ -173,7 +173,7 @@ static double height(double tilt_x, double tilt_y, bool tilted, double twist, bo
     duct_path path = outline_of(s.stroke, &options);
     double size[2];
     extent(&path, size);
-    duct_path_free(&path);
+    duct_path_done(&path);
     duct_drawing_free(s.drawing);
     return size[1];
 }
@@ -211,7 +211,7 @@ static void loops_have_holes(void **state)
     assert_int_equal(ring_count(&path), 3);
     assert_true(duct_path_nodes(&path) <= 40);
     assert_near(signed_area(&path), path_area(&path), 1);
-    duct_path_free(&path);
+    duct_path_done(&path);
     duct_drawing_free(s.drawing);
 }
 
@@ -231,7 +231,7 @@ static void closed_stroke_is_a_ring_without_a_seam(void **state)
     assert_int_equal(ring_count(&path), 2);
     assert_near(path_area(&path), pi * (53 * 53 - 47 * 47), 0.1 * 628);
     assert_true(duct_path_nodes(&path) <= 16);
-    duct_path_free(&path);
+    duct_path_done(&path);
     duct_drawing_free(s.drawing);
 }
 
@@ -251,11 +251,11 @@ static void sparse_pen_samples_are_joined_smoothly(void **state)
     duct_path path = outline_of(s.stroke, &options);
     /* The 16-gon's band would be 596. */
     assert_near(path_area(&path), 600 * pi, 10);
-    duct_path_free(&path);
+    duct_path_done(&path);
     duct_stroke_drop(s.stroke, DUCT_T);
     path = outline_of(s.stroke, &options);
     assert_true(path_area(&path) < 600 * pi - 8);
-    duct_path_free(&path);
+    duct_path_done(&path);
     duct_drawing_free(s.drawing);
 }
 
@@ -273,7 +273,7 @@ static void path_is_appended_to(void **state)
     assert_int_equal(path.verbs[1], DUCT_PATH_LINE);
     assert_int_equal(path.verbs[2], DUCT_PATH_MOVE);
     assert_true(path.points[3] >= 4 && path.points[3] <= 4);
-    duct_path_free(&path);
+    duct_path_done(&path);
     duct_drawing_free(s.drawing);
 }
 
@@ -296,7 +296,7 @@ static void hostile_values_do_no_harm(void **state)
             options.thickest = which == 9 ? bad[k] : 2;
             duct_path path = outline_of(s.stroke, &options);
             assert_finite(&path);
-            duct_path_free(&path);
+            duct_path_done(&path);
             duct_drawing_free(s.drawing);
         }
     }
@@ -316,7 +316,7 @@ static void a_million_samples_take_no_quadratic_time(void **state)
     duct_outline_options options = round_nib(4);
     duct_path path = outline_of(s.stroke, &options);
     assert_true(duct_path_nodes(&path) < 400);
-    duct_path_free(&path);
+    duct_path_done(&path);
     /* A pen that rests for two hours, pressing now more, now less. */
     for (size_t i = 0; i < s.count; i++) {
         s.x[i] = s.y[i] = 0;
@@ -324,7 +324,7 @@ static void a_million_samples_take_no_quadratic_time(void **state)
     }
     path = outline_of(s.stroke, &options);
     assert_int_equal(ring_count(&path), 1);
-    duct_path_free(&path);
+    duct_path_done(&path);
     duct_drawing_free(s.drawing);
 }
 
@@ -364,7 +364,7 @@ static void failed_allocations_leave_the_path_as_it_was(void **state)
             assert_int_equal(path.point_count, 1);
             assert_false(path.failed);
         }
-        duct_path_free(&path);
+        duct_path_done(&path);
         assert_int_equal(failing.held, 0);
     }
     duct_drawing_free(s.drawing);
@@ -419,7 +419,7 @@ static void threads_get_the_same_bytes(void **state)
     }
     for (size_t i = 0; i < STROKES; i++) {
         for (size_t k = 0; k <= THREADS; k++) {
-            duct_path_free(&jobs[k].paths[i]);
+            duct_path_done(&jobs[k].paths[i]);
         }
         duct_drawing_free(sheets[i].drawing);
     }

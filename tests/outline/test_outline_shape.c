@@ -63,7 +63,7 @@ static void check(const char *what, const duct_stroke *stroke, const duct_outlin
     }
     assert_false(result.thick);
     assert_true(touching || result.crossing == 0);
-    duct_path_free(&path);
+    duct_path_done(&path);
 }
 
 /* Curves with a name, over t = 0..1. */

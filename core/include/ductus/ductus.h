@@ -22,6 +22,7 @@
 #include <ductus/image.h>
 #include <ductus/library.h>
 #include <ductus/operation.h>
+#include <ductus/path.h>
 #include <ductus/random.h>
 #include <ductus/render.h>
 #include <ductus/report.h>
