@@ -33,9 +33,10 @@ static duct_status add_stroke(const duct_svg_new_strokes *strokes, const duct_st
     duct_path path;
     duct_path_init(&path, out->allocator);
     if (outline) {
-        status = duct_svg_add_outline(stroke, strokes->options->fit_tolerance, &path, error);
+        const duct_nib_options nib = duct_svg_nib(strokes->options);
+        status = duct_path_outline(&path, stroke, &nib, error);
     } else {
-        duct_svg_add_spine(stroke, strokes->options->fit_tolerance, &path);
+        status = duct_path_fit(&path, stroke, strokes->options->fit_tolerance, error);
     }
     duct_path_transform(&path, strokes->inverse);
     duct_text_add(out, "<");
@@ -49,7 +50,7 @@ static duct_status add_stroke(const duct_svg_new_strokes *strokes, const duct_st
     }
     add_style(stroke, outline, duct_affine_scale(strokes->inverse), out);
     duct_text_add(out, " d=\"");
-    duct_path_svg(&path, duct_svg_decimals(1 / duct_affine_scale(strokes->inverse)), out);
+    duct_path_text(&path, duct_svg_decimals(1 / duct_affine_scale(strokes->inverse)), out);
     duct_text_add(out, "\"/>\n");
     if (status == DUCT_OK && (path.failed || out->failed)) {
         status = duct_fail_memory(error);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "formats/svg_path.h"
 
+#include "base/error.h"
 #include "base/number.h"
 #include "formats/svg_scan.h"
 #include "geometry/bezier.h"
@@ -246,4 +247,10 @@ void duct_svg_points(const char *data, bool closed, duct_path *path)
     if (count > 0 && closed) {
         duct_path_close(path);
     }
+}
+
+duct_status duct_path_add_svg(duct_path *path, const char *d, duct_error *error)
+{
+    duct_svg_path_data(d, path);
+    return path->failed ? duct_fail_memory(error) : DUCT_OK;
 }

@@ -46,10 +46,8 @@ bool duct_svg_drawable(const duct_path *path, const duct_subpath *subpath);
  * them to pixels. */
 int duct_svg_decimals(double scale);
 
-/* Adds a changed stroke's centre line, or its outline, to a path in drawing pixels. */
-void duct_svg_add_spine(const duct_stroke *stroke, double tolerance, duct_path *path);
-duct_status duct_svg_add_outline(const duct_stroke *stroke, double tolerance, duct_path *path,
-                                 duct_error *error);
+/* The nib by which outlines are drawn. */
+duct_nib_options duct_svg_nib(const duct_format_options *options);
 
 /* True where the stroke is shown as a filled outline. */
 bool duct_svg_shows_outline(const duct_stroke *stroke, const duct_format_options *options);

@@ -5,8 +5,6 @@
 #include "formats/svg_element.h"
 #include "formats/svg_tags.h"
 #include "formats/svg_transform.h"
-#include "geometry/fit.h"
-#include "outline/outline.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -44,72 +42,11 @@ bool duct_svg_shows_outline(const duct_stroke *stroke, const duct_format_options
     return options->line_style == DUCT_LINE_OUTLINE && duct_stroke_values(stroke, DUCT_PRESSURE) != NULL;
 }
 
-/* Points on the straight line between samples that are far apart, close together near its ends. The fit knows
- * of nothing between its points, and would round off a polyline's blunt corners. */
-static void add_between(duct_points *points, double x0, double y0, double x1, double y1, double tolerance)
+duct_nib_options duct_svg_nib(const duct_format_options *options)
 {
-    double length = hypot(x1 - x0, y1 - y0), nearest = 4 * tolerance, from_end = length / 2;
-    double along = nearest;
-    for (; along < length / 2; along *= 2) {
-        double t = along / length;
-        duct_points_add(points, x0 + (x1 - x0) * t, y0 + (y1 - y0) * t);
-        from_end = along;
-    }
-    for (; from_end >= nearest && from_end > 0; from_end /= 2) {
-        double t = from_end / length;
-        duct_points_add(points, x1 - (x1 - x0) * t, y1 - (y1 - y0) * t);
-    }
-}
-
-/* Samples with times come from a pen, whose way between them is smooth; without times they are corners of a
- * line that was flattened. */
-static void fit_spine(const duct_stroke *stroke, double tolerance, duct_path *path)
-{
-    const double *x = duct_stroke_values(stroke, DUCT_X), *y = duct_stroke_values(stroke, DUCT_Y);
-    size_t size = duct_stroke_size(stroke);
-    bool closed = duct_stroke_closed(stroke);
-    if (duct_stroke_values(stroke, DUCT_T) != NULL) {
-        duct_fit_curve(x, y, size, closed, tolerance, path);
-        return;
-    }
-    duct_points points;
-    duct_points_init(&points, path->allocator, SIZE_MAX);
-    for (size_t i = 0; i < size; i++) {
-        if (i > 0) {
-            add_between(&points, x[i - 1], y[i - 1], x[i], y[i], tolerance);
-        }
-        duct_points_add(&points, x[i], y[i]);
-    }
-    if (closed) {
-        add_between(&points, x[size - 1], y[size - 1], x[0], y[0], tolerance);
-    }
-    path->failed = path->failed || points.failed;
-    duct_fit_curve(points.x, points.y, points.count, closed, tolerance, path);
-    duct_points_free(&points);
-}
-
-void duct_svg_add_spine(const duct_stroke *stroke, double tolerance, duct_path *path)
-{
-    const double *x = duct_stroke_values(stroke, DUCT_X), *y = duct_stroke_values(stroke, DUCT_Y);
-    size_t size = duct_stroke_size(stroke);
-    if (size == 1) {
-        /* A line of no length: round caps make it a dot. */
-        duct_path_move(path, x[0], y[0]);
-        duct_path_line(path, x[0], y[0]);
-        if (duct_stroke_closed(stroke)) {
-            duct_path_close(path);
-        }
-    } else if (size > 1) {
-        fit_spine(stroke, tolerance, path);
-    }
-}
-
-duct_status duct_svg_add_outline(const duct_stroke *stroke, double tolerance, duct_path *path,
-                                 duct_error *error)
-{
-    duct_outline_options options = duct_outline_options_default();
-    options.fit_tolerance = tolerance;
-    return duct_outline(stroke, &options, path, error);
+    duct_nib_options nib = duct_nib_options_default();
+    nib.fit_tolerance = options->fit_tolerance;
+    return nib;
 }
 
 /* Sorts the drawing's strokes by the part that they came from. */
@@ -206,29 +143,31 @@ static bool examine(writer *w, element *e)
 }
 
 /* The element's new centre line: unchanged subpaths as they were, others fitted. In drawing pixels. */
-static void make_spine(const writer *w, const element *e, duct_path *spine)
-{
-    duct_subpath subpath = {0};
-    for (size_t part = e->part; duct_path_next(&e->path, &subpath); part++) {
-        for (size_t i = w->first[part]; i != none; i = w->next[i]) {
-            const duct_stroke *stroke = duct_drawing_stroke(w->drawing, i);
-            if (duct_stroke_changed(stroke)) {
-                duct_svg_add_spine(stroke, w->options.fit_tolerance, spine);
-            } else {
-                duct_path_append(spine, &e->path, &subpath);
-            }
-        }
-    }
-}
-
-static duct_status make_outline(const writer *w, const element *e, duct_path *outline, duct_error *error)
+static duct_status make_spine(const writer *w, const element *e, duct_path *spine, duct_error *error)
 {
     duct_status status = DUCT_OK;
     duct_subpath subpath = {0};
     for (size_t part = e->part; duct_path_next(&e->path, &subpath); part++) {
         for (size_t i = w->first[part]; i != none && status == DUCT_OK; i = w->next[i]) {
-            status = duct_svg_add_outline(duct_drawing_stroke(w->drawing, i), w->options.fit_tolerance,
-                                          outline, error);
+            const duct_stroke *stroke = duct_drawing_stroke(w->drawing, i);
+            if (duct_stroke_changed(stroke)) {
+                status = duct_path_fit(spine, stroke, w->options.fit_tolerance, error);
+            } else {
+                duct_path_append(spine, &e->path, &subpath);
+            }
+        }
+    }
+    return status;
+}
+
+static duct_status make_outline(const writer *w, const element *e, duct_path *outline, duct_error *error)
+{
+    const duct_nib_options nib = duct_svg_nib(&w->options);
+    duct_status status = DUCT_OK;
+    duct_subpath subpath = {0};
+    for (size_t part = e->part; duct_path_next(&e->path, &subpath); part++) {
+        for (size_t i = w->first[part]; i != none && status == DUCT_OK; i = w->next[i]) {
+            status = duct_path_outline(outline, duct_drawing_stroke(w->drawing, i), &nib, error);
         }
     }
     return status;
@@ -241,7 +180,7 @@ static void print_path(const duct_svg_shape *shape, duct_path *path, duct_text *
     duct_affine_invert(shape->matrix, &inverse);
     duct_path_transform(path, inverse);
     duct_text_add(d, "");
-    duct_path_svg(path, duct_svg_decimals(duct_affine_stretch(shape->matrix)), d);
+    duct_path_text(path, duct_svg_decimals(duct_affine_stretch(shape->matrix)), d);
     d->failed = d->failed || path->failed;
 }
 
@@ -310,10 +249,10 @@ static duct_status rewrite(writer *w, const element *e, duct_error *error)
     duct_text_init(&spine_d, w->allocator);
     duct_text_init(&outline_d, w->allocator);
     if (!e->outlines || fills) {
-        make_spine(w, e, &spine);
+        status = make_spine(w, e, &spine, error);
         print_path(e->shape, &spine, &spine_d);
     }
-    if (e->outlines) {
+    if (status == DUCT_OK && e->outlines) {
         status = make_outline(w, e, &outline, error);
         print_path(e->shape, &outline, &outline_d);
     }

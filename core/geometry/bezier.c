@@ -98,6 +98,12 @@ void duct_path_transform(duct_path *path, duct_affine map)
     }
 }
 
+void duct_path_map(duct_path *path, const double matrix[6])
+{
+    duct_path_transform(path,
+                        (duct_affine){matrix[0], matrix[1], matrix[2], matrix[3], matrix[4], matrix[5]});
+}
+
 static size_t points_of(unsigned char verb)
 {
     return verb == DUCT_PATH_CLOSE ? 0 : verb == DUCT_PATH_CUBIC ? 3 : 1;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "geometry/path.h"
 
+#include "base/error.h"
 #include "base/memory.h"
 
 void duct_path_init(duct_path *path, const duct_allocator *allocator)
@@ -42,24 +43,80 @@ static void append(duct_path *path, duct_path_verb verb, const double *xy, size_
     path->point_count += points;
 }
 
+duct_status duct_path_new(const duct_context *context, duct_path **path, duct_error *error)
+{
+    const duct_allocator *allocator = duct_allocator_of(context);
+    duct_path *made = duct_alloc(allocator, 1, sizeof *made);
+    if (made == NULL) {
+        return duct_fail_memory(error);
+    }
+    duct_path_init(made, allocator);
+    *path = made;
+    return DUCT_OK;
+}
+
+void duct_path_free(duct_path *path)
+{
+    if (path != NULL) {
+        const duct_allocator *allocator = path->allocator;
+        duct_path_done(path);
+        duct_release(allocator, path);
+    }
+}
+
+void duct_path_clear(duct_path *path)
+{
+    path->verb_count = path->point_count = 0;
+    path->failed = false;
+}
+
 void duct_path_move(duct_path *path, double x, double y)
 {
+    path->start[0] = x;
+    path->start[1] = y;
     append(path, DUCT_PATH_MOVE, (double[]){x, y}, 1);
+}
+
+/* Whatever is drawn without a move begins at (x, y), or where the closed subpath before it began, as in SVG.
+ */
+static void begin(duct_path *path, double x, double y)
+{
+    if (path->verb_count == 0) {
+        duct_path_move(path, x, y);
+    } else if (path->verbs[path->verb_count - 1] == DUCT_PATH_CLOSE) {
+        duct_path_move(path, path->start[0], path->start[1]);
+    }
 }
 
 void duct_path_line(duct_path *path, double x, double y)
 {
+    begin(path, x, y);
     append(path, DUCT_PATH_LINE, (double[]){x, y}, 1);
 }
 
 void duct_path_cubic(duct_path *path, double x1, double y1, double x2, double y2, double x, double y)
 {
+    begin(path, x1, y1);
     append(path, DUCT_PATH_CUBIC, (double[]){x1, y1, x2, y2, x, y}, 3);
 }
 
 void duct_path_close(duct_path *path)
 {
-    append(path, DUCT_PATH_CLOSE, NULL, 0);
+    if (path->verb_count > 0 && path->verbs[path->verb_count - 1] != DUCT_PATH_CLOSE) {
+        append(path, DUCT_PATH_CLOSE, NULL, 0);
+    }
+}
+
+const unsigned char *duct_path_verbs(const duct_path *path, size_t *count)
+{
+    *count = path->failed ? 0 : path->verb_count;
+    return *count > 0 ? path->verbs : NULL;
+}
+
+const double *duct_path_points(const duct_path *path, size_t *count)
+{
+    *count = path->failed ? 0 : path->point_count;
+    return *count > 0 ? path->points : NULL;
 }
 
 static size_t points_of(unsigned char verb)
@@ -67,7 +124,7 @@ static size_t points_of(unsigned char verb)
     return verb == DUCT_PATH_CUBIC ? 3 : verb == DUCT_PATH_CLOSE ? 0 : 1;
 }
 
-void duct_path_svg(const duct_path *path, int decimals, duct_text *text)
+void duct_path_text(const duct_path *path, int decimals, duct_text *text)
 {
     static const char letters[] = {'M', 'L', 'C', 'Z'};
     const double *point = path->points;
@@ -82,6 +139,23 @@ void duct_path_svg(const duct_path *path, int decimals, duct_text *text)
             duct_text_add_fixed(text, point[1], decimals);
         }
     }
+}
+
+duct_status duct_path_svg(const duct_context *context, const duct_path *path, int decimals, char **text,
+                          duct_error *error)
+{
+    duct_text made;
+    duct_text_init(&made, duct_allocator_of(context));
+    duct_path_text(path, decimals < 0 ? 0 : decimals > 15 ? 15 : decimals, &made);
+    made.failed = made.failed || path->failed;
+    size_t size;
+    char *data = made.failed ? NULL : duct_text_take(&made, &size);
+    duct_text_free(&made);
+    if (data == NULL) {
+        return duct_fail_memory(error);
+    }
+    *text = data;
+    return DUCT_OK;
 }
 
 size_t duct_path_nodes(const duct_path *path)

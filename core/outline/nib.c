@@ -10,9 +10,9 @@ static const double least_altitude = 0.436332; /* 25 degrees: a flatter pen's ni
 static const double clear_tilt =
     0.349066; /* 20 degrees: from here on the tilt's direction is to be trusted */
 
-duct_outline_options duct_outline_options_default(void)
+duct_nib_options duct_nib_options_default(void)
 {
-    return (duct_outline_options){
+    return (duct_nib_options){
         .width = 0, .thinnest = 0.3, .thickest = 1.7, .aspect = 1.5, .fit_tolerance = 0.1};
 }
 
@@ -22,7 +22,7 @@ static double clamp(double value, double least, double most)
 }
 
 /* The width at a pressure, as a share of the full width: linear from `thinnest` to 1 and on to `thickest`. */
-static double width_share(const duct_outline_options *options, double pressure)
+static double width_share(const duct_nib_options *options, double pressure)
 {
     double thinnest = clamp(options->thinnest, 0, 100), thickest = clamp(options->thickest, 0, 100);
     double p = 2 * clamp(pressure, 0, 1);
@@ -44,7 +44,7 @@ static double unwrap_axis(double angle, double before)
     return angle - pi * floor((angle - before) / pi + 0.5);
 }
 
-void duct_nibs_of(const duct_stroke *stroke, const duct_outline_options *options, duct_nib *nibs)
+void duct_nibs_of(const duct_stroke *stroke, const duct_nib_options *options, duct_nib *nibs)
 {
     const double *x = duct_stroke_values(stroke, DUCT_X), *y = duct_stroke_values(stroke, DUCT_Y);
     const double *pressure = duct_stroke_values(stroke, DUCT_PRESSURE);

@@ -2,7 +2,7 @@
 #ifndef DUCTUS_OUTLINE_NIB_H
 #define DUCTUS_OUTLINE_NIB_H
 
-#include "outline/outline.h"
+#include "geometry/path.h"
 
 /* An ellipse at a place: the area that the nib covers at one moment. */
 typedef struct duct_nib {
@@ -17,7 +17,7 @@ typedef struct duct_normal {
 } duct_normal;
 
 /* Fills nibs[0 .. duct_stroke_size() - 1] from the stroke's pose. */
-void duct_nibs_of(const duct_stroke *stroke, const duct_outline_options *options, duct_nib *nibs);
+void duct_nibs_of(const duct_stroke *stroke, const duct_nib_options *options, duct_nib *nibs);
 
 /* The nib between two at t = 0..1, at a place of its own. */
 duct_nib duct_nib_between(const duct_nib *a, const duct_nib *b, double t, double x, double y);

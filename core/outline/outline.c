@@ -1,6 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "outline/outline.h"
-
 #include "base/error.h"
 #include "geometry/fit.h"
 #include "outline/outline_private.h"
@@ -116,8 +114,8 @@ static duct_status outline_nibs(const duct_allocator *allocator, const duct_nib_
     return status;
 }
 
-duct_status duct_outline(const duct_stroke *stroke, const duct_outline_options *options, duct_path *path,
-                         duct_error *error)
+duct_status duct_path_outline(duct_path *path, const duct_stroke *stroke, const duct_nib_options *options,
+                              duct_error *error)
 {
     if (path->failed) {
         return duct_fail_memory(error);
@@ -125,7 +123,7 @@ duct_status duct_outline(const duct_stroke *stroke, const duct_outline_options *
     if (duct_stroke_size(stroke) == 0) {
         return DUCT_OK;
     }
-    duct_outline_options checked = options != NULL ? *options : duct_outline_options_default();
+    duct_nib_options checked = options != NULL ? *options : duct_nib_options_default();
     /* Finer than a ten thousandth of a pixel nobody sees and GEOS does not compute. */
     checked.fit_tolerance = checked.fit_tolerance > 1e-4 ? fmin(checked.fit_tolerance, 1e3) : 1e-4;
     const size_t verbs = path->verb_count, points = path->point_count;

@@ -5,9 +5,9 @@
 #include "base/memory.h"
 #include "outline/nib.h"
 
-/* The stages of duct_outline(): the nibs of the samples, fewer and smoother ones that sweep the same area,
- * simple polygons that cover what they sweep, and the polygons' union. How the tolerance is divided among
- * them: */
+/* The stages of duct_path_outline(): the nibs of the samples, fewer and smoother ones that sweep the same
+ * area, simple polygons that cover what they sweep, and the polygons' union. How the tolerance is divided
+ * among them: */
 #define DUCT_SHARE_SWEEP 0.1 /* leaving nibs out */
 #define DUCT_SHARE_ARC 0.1   /* polygons for ellipses */
 #define DUCT_SHARE_FIT 0.7   /* curves for polygons */
@@ -34,7 +34,7 @@ bool duct_polygons_end(const duct_allocator *allocator, duct_polygons *polygons)
  * curve through them is not straight, without those that their neighbours make up for. A closed stroke's
  * first nib is repeated at its end. False when there is no memory. */
 bool duct_sweep_nibs(const duct_allocator *allocator, const duct_stroke *stroke,
-                     const duct_outline_options *options, duct_nib_list *nibs);
+                     const duct_nib_options *options, duct_nib_list *nibs);
 
 /* Simple polygons (counterclockwise where y is up) whose union is that of the convex hulls of consecutive
  * nibs, with arcs true to `sagitta`. With `split` each hull gives a polygon of its own: the plain way, for

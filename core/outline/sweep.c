@@ -195,7 +195,7 @@ static void thin(duct_nib_list *list, double tolerance)
 }
 
 bool duct_sweep_nibs(const duct_allocator *allocator, const duct_stroke *stroke,
-                     const duct_outline_options *options, duct_nib_list *nibs)
+                     const duct_nib_options *options, duct_nib_list *nibs)
 {
     size_t count = duct_stroke_size(stroke);
     duct_nib *all = duct_alloc(allocator, count, sizeof *all);

@@ -17,7 +17,7 @@ static void assert_svg(const duct_path *path, int decimals, const char *expected
     duct_text text;
     duct_text_init(&text, duct_allocator_of(NULL));
     duct_text_add(&text, "");
-    duct_path_svg(path, decimals, &text);
+    duct_path_text(path, decimals, &text);
     assert_false(text.failed);
     assert_string_equal(text.data, expected);
     duct_text_free(&text);

@@ -5,7 +5,7 @@
 /* Strokes to outline, and outlines as GEOS shapes to be measured. Include after testing.h. */
 
 #include "base/memory.h"
-#include "outline/outline.h"
+#include "geometry/path.h"
 #include "outline/outline_private.h"
 
 #include <ductus/drawing.h>
@@ -46,20 +46,20 @@ static inline double *sheet_channel(const sheet *s, duct_channel channel, double
     return values;
 }
 
-static inline duct_outline_options round_nib(double width)
+static inline duct_nib_options round_nib(double width)
 {
-    duct_outline_options options = duct_outline_options_default();
+    duct_nib_options options = duct_nib_options_default();
     options.width = width;
     options.aspect = 1;
     return options;
 }
 
-static inline duct_path outline_of(const duct_stroke *stroke, const duct_outline_options *options)
+static inline duct_path outline_of(const duct_stroke *stroke, const duct_nib_options *options)
 {
     duct_error error;
     duct_path path;
     duct_path_init(&path, duct_allocator_of(NULL));
-    assert_ok(duct_outline(stroke, options, &path, &error));
+    assert_ok(duct_path_outline(&path, stroke, options, &error));
     return path;
 }
 

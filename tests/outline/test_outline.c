@@ -82,7 +82,7 @@ static void one_sample_gives_a_dot(void **state)
 {
     (void)state;
     sheet s = sheet_new(1);
-    duct_outline_options options = round_nib(10);
+    duct_nib_options options = round_nib(10);
     duct_path path = outline_of(s.stroke, &options);
     assert_int_equal(ring_count(&path), 1);
     assert_true(duct_path_nodes(&path) <= 4);
@@ -98,7 +98,7 @@ static void samples_in_one_place_give_a_dot_of_the_largest(void **state)
     sheet s = sheet_new(500);
     double *pressure = sheet_channel(&s, DUCT_PRESSURE, 0.1);
     pressure[137] = 0.5;
-    duct_outline_options options = round_nib(10);
+    duct_nib_options options = round_nib(10);
     duct_path path = outline_of(s.stroke, &options);
     assert_int_equal(ring_count(&path), 1);
     assert_near(path_area(&path), 25 * pi, 0.1 * 10 * pi);
@@ -110,7 +110,7 @@ static void straight_line_is_a_bar_with_round_ends_of_few_nodes(void **state)
 {
     (void)state;
     sheet s = line(300, 100);
-    duct_outline_options options = round_nib(10);
+    duct_nib_options options = round_nib(10);
     duct_path path = outline_of(s.stroke, &options);
     double size[2];
     extent(&path, size);
@@ -129,7 +129,7 @@ static void width_comes_from_the_stroke_where_none_is_given(void **state)
     duct_stroke_style style = duct_stroke_get_style(s.stroke);
     style.width = 6;
     duct_stroke_set_style(s.stroke, style);
-    duct_outline_options options = round_nib(0);
+    duct_nib_options options = round_nib(0);
     duct_path path = outline_of(s.stroke, &options);
     double size[2];
     extent(&path, size);
@@ -145,7 +145,7 @@ static void width_follows_pressure(void **state)
     for (size_t k = 0; k < 5; k++) {
         sheet s = line(30, 100);
         sheet_channel(&s, DUCT_PRESSURE, pressures[k]);
-        duct_outline_options options = round_nib(10);
+        duct_nib_options options = round_nib(10);
         options.thinnest = 0.3;
         options.thickest = 2;
         duct_path path = outline_of(s.stroke, &options);
@@ -168,7 +168,7 @@ static double height(double tilt_x, double tilt_y, bool tilted, double twist, bo
     if (twisted) {
         sheet_channel(&s, DUCT_TWIST, twist);
     }
-    duct_outline_options options = round_nib(10);
+    duct_nib_options options = round_nib(10);
     options.aspect = aspect;
     duct_path path = outline_of(s.stroke, &options);
     double size[2];
@@ -206,7 +206,7 @@ static void loops_have_holes(void **state)
         s.x[i] = 40 * sin(a);
         s.y[i] = 25 * sin(2 * a);
     }
-    duct_outline_options options = round_nib(4);
+    duct_nib_options options = round_nib(4);
     duct_path path = outline_of(s.stroke, &options);
     assert_int_equal(ring_count(&path), 3);
     assert_true(duct_path_nodes(&path) <= 40);
@@ -226,7 +226,7 @@ static void closed_stroke_is_a_ring_without_a_seam(void **state)
     }
     duct_stroke_set_closed(s.stroke, true);
     sheet_channel(&s, DUCT_T, 0);
-    duct_outline_options options = round_nib(6);
+    duct_nib_options options = round_nib(6);
     duct_path path = outline_of(s.stroke, &options);
     assert_int_equal(ring_count(&path), 2);
     assert_near(path_area(&path), pi * (53 * 53 - 47 * 47), 0.1 * 628);
@@ -247,7 +247,7 @@ static void sparse_pen_samples_are_joined_smoothly(void **state)
         t[i] = 0.01 * (double)i;
     }
     duct_stroke_set_closed(s.stroke, true);
-    duct_outline_options options = round_nib(6);
+    duct_nib_options options = round_nib(6);
     duct_path path = outline_of(s.stroke, &options);
     /* The 16-gon's band would be 596. */
     assert_near(path_area(&path), 600 * pi, 10);
@@ -268,7 +268,7 @@ static void path_is_appended_to(void **state)
     duct_path_init(&path, duct_allocator_of(NULL));
     duct_path_move(&path, 1, 2);
     duct_path_line(&path, 3, 4);
-    assert_ok(duct_outline(s.stroke, NULL, &path, &error));
+    assert_ok(duct_path_outline(&path, s.stroke, NULL, &error));
     assert_int_equal(path.verbs[0], DUCT_PATH_MOVE);
     assert_int_equal(path.verbs[1], DUCT_PATH_LINE);
     assert_int_equal(path.verbs[2], DUCT_PATH_MOVE);
@@ -288,7 +288,7 @@ static void hostile_values_do_no_harm(void **state)
             sheet_channel(&s, DUCT_TILT_X, 0)[3] = which == 2 ? bad[k] : 0.5;
             sheet_channel(&s, DUCT_TWIST, 0)[9] = which == 3 ? bad[k] : 0.5;
             s.x[5] = which == 4 ? bad[k] : s.x[5];
-            duct_outline_options options = duct_outline_options_default();
+            duct_nib_options options = duct_nib_options_default();
             options.width = which == 5 ? bad[k] : 3;
             options.aspect = which == 6 ? bad[k] : 2;
             options.fit_tolerance = which == 7 ? bad[k] : 0.1;
@@ -313,7 +313,7 @@ static void a_million_samples_take_no_quadratic_time(void **state)
         s.y[i] = 300 * t * sin(60 * t);
         pressure[i] = 0.5 + 0.4 * sin(100 * t);
     }
-    duct_outline_options options = round_nib(4);
+    duct_nib_options options = round_nib(4);
     duct_path path = outline_of(s.stroke, &options);
     assert_true(duct_path_nodes(&path) < 400);
     duct_path_done(&path);
@@ -356,7 +356,7 @@ static void failed_allocations_leave_the_path_as_it_was(void **state)
         failing.calls = 0;
         failing.fails_at = n;
         duct_error error = {DUCT_OK, ""};
-        duct_status status = duct_outline(s.stroke, NULL, &path, &error);
+        duct_status status = duct_path_outline(&path, s.stroke, NULL, &error);
         done = status == DUCT_OK;
         if (!done) {
             assert_int_equal(status, DUCT_NO_MEMORY);
@@ -383,7 +383,7 @@ static void *outline_all(void *arg)
     job *j = arg;
     for (size_t i = 0; i < STROKES; i++) {
         duct_path_init(&j->paths[i], duct_allocator_of(NULL));
-        duct_status status = duct_outline(j->sheets[i].stroke, NULL, &j->paths[i], NULL);
+        duct_status status = duct_path_outline(&j->paths[i], j->sheets[i].stroke, NULL, NULL);
         j->status = status != DUCT_OK ? status : j->status;
     }
     return NULL;

@@ -13,8 +13,7 @@ typedef struct {
     size_t crossing;
 } comparison;
 
-static comparison compare(const duct_stroke *stroke, const duct_outline_options *options,
-                          const duct_path *path)
+static comparison compare(const duct_stroke *stroke, const duct_nib_options *options, const duct_path *path)
 {
     const duct_allocator *allocator = duct_allocator_of(NULL);
     duct_error error;
@@ -22,7 +21,7 @@ static comparison compare(const duct_stroke *stroke, const duct_outline_options 
     duct_polygons hulls = {0}, rings = {0};
     double tolerance = options->fit_tolerance;
     /* The reference is ten times as exact. */
-    duct_outline_options fine = *options;
+    duct_nib_options fine = *options;
     fine.fit_tolerance = 0.1 * tolerance;
     assert_true(duct_sweep_nibs(allocator, stroke, &fine, &nibs));
     assert_true(duct_envelope(allocator, &nibs, DUCT_SHARE_ARC * fine.fit_tolerance, true, &hulls));
@@ -51,8 +50,7 @@ static comparison compare(const duct_stroke *stroke, const duct_outline_options 
 }
 
 /* Where edges come closer to each other than the tolerance, a fitted ring may cross itself by as much. */
-static void check(const char *what, const duct_stroke *stroke, const duct_outline_options *options,
-                  bool touching)
+static void check(const char *what, const duct_stroke *stroke, const duct_nib_options *options, bool touching)
 {
     duct_path path = outline_of(stroke, options);
     comparison result = compare(stroke, options, &path);
@@ -179,7 +177,7 @@ static void check_curves(size_t samples, double width, double aspect, double twi
                 angle[i] = twist * t;
             }
         }
-        duct_outline_options options = round_nib(width);
+        duct_nib_options options = round_nib(width);
         options.aspect = aspect;
         check(curves[k].name, s.stroke, &options, aspect > 1);
         duct_drawing_free(s.drawing);
@@ -230,7 +228,7 @@ static void closed_strokes_match_the_union_of_hulls(void **state)
             pressure[i] = 0.5 + 0.4 * sin(3 * a);
         }
         duct_stroke_set_closed(s.stroke, true);
-        duct_outline_options options = round_nib((double)width);
+        duct_nib_options options = round_nib((double)width);
         check("closed", s.stroke, &options, false);
         duct_drawing_free(s.drawing);
     }
@@ -260,7 +258,7 @@ static void scribbles_match_the_union_of_hulls(void **state)
             pressure[i] = random[2];
             twist[i] = 2 * random[3];
         }
-        duct_outline_options options = round_nib(5);
+        duct_nib_options options = round_nib(5);
         options.aspect = 1 + (double)(seed % 4);
         char name[32];
         snprintf(name, sizeof name, "scribble %d", (int)seed);
@@ -284,7 +282,7 @@ static void real_strokes_match_the_union_of_hulls(void **state)
         duct_error error;
         assert_ok(duct_drawing_read(NULL, file, NULL, &drawing, &error));
         for (size_t i = 0; i < duct_drawing_stroke_count(drawing); i += 5) {
-            duct_outline_options options = duct_outline_options_default();
+            duct_nib_options options = duct_nib_options_default();
             options.width = 4;
             snprintf(what, sizeof what, "%s, stroke %zu", names[k], i);
             check(what, duct_drawing_stroke(drawing, i), &options, true);
