@@ -70,6 +70,14 @@ static const seed seeds[] = {
               "\"inputs\":{}}}}"},
     {"index", "\001\002\003\004\005\006\007"},
     {"index", "DUCTIDX1"},
+    {"trace",
+     "{\"operation\":\"restyle\",\"settings\":{\"hand\":\"a\",\"select\":\"optimal\"},\"unit\":0.5,"
+     "\"library\":{\"name\":\"a\",\"strokes\":2,\"samples\":9,\"stroke_samples\":[4,5]},\"strokes\":["
+     "{\"id\":\"s\",\"passes\":[{\"name\":\"trajectory\",\"costs\":[1,2,3,4],\"total\":10,\"samples\":["
+     "{\"candidates\":[[0,1,0.5],[1,2,0.25]],\"vectors\":[[0,1],[1,0]],\"chosen\":[0,1,0.5],\"next\":"
+     "\"consecutive\",\"costs\":[1,2,3,4]},{\"candidates\":[[0,2,0.5]],\"chosen\":[0,2,0.5],\"next\":"
+     "\"jump\"}"
+     ",{\"candidates\":[[1,2,1]],\"chosen\":[1,2,1]}]}]},{\"id\":\"t\",\"passes\":[]}]}"},
 };
 
 static int failed;
@@ -140,7 +148,8 @@ int main(int count, char **arguments)
             strcat(name, "-packed");
             put_packed(arguments[1], seeds[i].format, name, seeds[i].text);
         }
-        if (strcmp(seeds[i].format, "brush") != 0 && strcmp(seeds[i].format, "index") != 0) {
+        if (strcmp(seeds[i].format, "brush") != 0 && strcmp(seeds[i].format, "index") != 0 &&
+            strcmp(seeds[i].format, "trace") != 0) {
             put(arguments[1], "any", name, seeds[i].text, strlen(seeds[i].text));
         }
     }
