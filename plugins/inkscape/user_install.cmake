@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# cmake -DZIP=FILE -P user_install.cmake: unpacks the extensions into the user's folder, in place of older ones.
+if(DEFINED ENV{INKSCAPE_PROFILE_DIR})
+  set(profile $ENV{INKSCAPE_PROFILE_DIR})
+elseif(DEFINED ENV{XDG_CONFIG_HOME})
+  set(profile $ENV{XDG_CONFIG_HOME}/inkscape)
+else()
+  set(profile $ENV{HOME}/.config/inkscape)
+endif()
+set(folder ${profile}/extensions)
+file(MAKE_DIRECTORY ${folder})
+file(ARCHIVE_EXTRACT INPUT ${ZIP} DESTINATION ${folder}/ductus.new)
+file(REMOVE_RECURSE ${folder}/ductus)
+file(RENAME ${folder}/ductus.new/ductus ${folder}/ductus)
+file(REMOVE_RECURSE ${folder}/ductus.new)
+message("Installed in ${folder}/ductus. Start Inkscape anew: Extensions > Ductus.")
