@@ -118,6 +118,7 @@ static float limited(MyPaintBrushSetting setting, double value)
         return (float)fmin(fmax(value, 0), 40); /* nibs that turn need many */
     case MYPAINT_BRUSH_SETTING_DABS_PER_SECOND:
     case MYPAINT_BRUSH_SETTING_RADIUS_LOGARITHMIC:
+    case MYPAINT_BRUSH_SETTING_RADIUS_BY_RANDOM: /* more makes dabs that no canvas holds */
     case MYPAINT_BRUSH_SETTING_SPEED1_GAMMA:
     case MYPAINT_BRUSH_SETTING_SPEED2_GAMMA: {
         const MyPaintBrushSettingInfo *info = mypaint_brush_setting_info(setting);
