@@ -2,7 +2,7 @@
 """Which elements of a document an operation works on, and their geometry as drawings have it: pixels of the page."""
 import inkex
 
-from . import memory
+from . import memory, shapes
 
 SVG = "{http://www.w3.org/2000/svg}"
 SODIPODI = "{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}"
@@ -127,8 +127,7 @@ def path_data(element):
     """The value of `d` that an element's geometry is; "" where it has none."""
     if element.tag == SVG + "path":
         return element.get(INKSCAPE + "original-d") or element.get("d") or ""
-    path = element.get_path()
-    return str(path) if path is not None else ""
+    return shapes.path_data(element, element.tag[len(SVG):])
 
 
 def has_path_effect(element):
