@@ -116,10 +116,11 @@ class Effect(inkex.EffectExtension):
         kept = {param.id: settings[param.id] for param in operation.params}
         kept = {"operation": operation.id, "settings": kept, "line": line}
         before, after = self.write(jobs, result, line, kept, styles)
+        # A message is a window to be closed, and stops Inkscape where it runs without one: only who asked gets it.
         if line["report"]:
-            inkex.errormsg(f"{plural(len(jobs), 'path')}: {before} nodes before, {after} after")
-        elif selected and found.texts:
-            inkex.errormsg(f"{plural(found.texts, 'text')} left alone: turn text into paths first (Path > Object to Path)")
+            left = f"; {plural(found.texts, 'text')} left alone: turn text into paths first (Path > Object to Path)"
+            inkex.errormsg(f"{plural(len(jobs), 'path')}: {before} nodes before, {after} after"
+                           + (left if found.texts else ""))
 
     def owner(self, element):
         """The element itself, or that which it was made beside."""

@@ -96,6 +96,8 @@ class Elements(Case):
     def test_text_is_told_and_others_are_changed(self):
         body = f'<text id="t">word</text><path id="s" d="{LINE}" {STROKE}/>'
         self.apply(document(body), "t", "s")
+        self.assertEqual(self.message, "")
+        self.apply(document(body), "t", "s", report="true")
         self.assertIn("1 text left alone", self.message)
         self.assertIn("Object to Path", self.refused(document('<text id="t">word</text>'), "t"))
 
