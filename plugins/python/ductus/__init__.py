@@ -24,4 +24,5 @@ def version():
 
 __all__ = ["Brush", "CHANNELS", "CLOSE", "CUBIC", "Cancelled", "Canvas", "Choice", "Drawing", "Error", "Format",
            "Hand", "LINE", "LINE_STYLES", "Library", "MOVE", "Missing", "Nib", "Operation", "Param", "Path", "Preset",
-           "Settings", "Stroke", "TILE_SIZE", "brushes", "formats", "hands", "load", "operations", "render", "run", "version"]
+           "Settings", "Stroke", "TILE_SIZE", "brushes", "formats", "hands", "load", "operations", "render", "run",
+           "version"]

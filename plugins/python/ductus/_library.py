@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Finding libductus and calling it: errors become exceptions, handles are freed when nothing refers to them."""
+import contextlib
 import ctypes
 import os
+import signal
 import sys
 import threading
 import weakref
@@ -188,10 +190,10 @@ class Callbacks:
             if self._raised is not None:
                 return False
             try:
-                return bool(function(*arguments))
+                goes_on = bool(function(*arguments))
             except BaseException as error:
                 self._raised = error
-                return False
+            return self._raised is None and goes_on
         return kind(called)
 
     def context(self, threads=0, progress=None):
@@ -210,7 +212,8 @@ class Callbacks:
         """What function(*arguments), which calls into the library, returns or raises; what was raised on the way comes
         first, as it was raised."""
         try:
-            made = function(*arguments)
+            with self._ctrl_c():
+                made = function(*arguments)
         except Error:
             if self._raised is None:
                 raise
@@ -221,3 +224,21 @@ class Callbacks:
             raise raised
         finally:
             del raised      # its traceback holds this frame
+
+    @contextlib.contextmanager
+    def _ctrl_c(self):
+        """Keeps Ctrl-C as an exception of a callback. Python's own handler raises where a callback begins, before it can
+        catch anything, and ctypes drops what comes out of a callback. Handlers of others stay."""
+        def interrupted(_signal, _frame):
+            if self._raised is None:
+                self._raised = KeyboardInterrupt()
+        own = signal.default_int_handler
+        try:
+            watched = signal.getsignal(signal.SIGINT) is own and signal.signal(signal.SIGINT, interrupted) is own
+        except ValueError:      # not the main thread
+            watched = False
+        try:
+            yield
+        finally:
+            if watched:
+                signal.signal(signal.SIGINT, own)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The generated declarations against what a compiler makes of the same headers: layouts and types of all structs, values
-of all constants, results and arguments of all functions.
+"""The generated declarations against what a compiler makes of the same headers: layouts and types of all structs,
+values of all constants, results and arguments of all functions.
 
 The compiler is a C++ one, because its templates tell the types; it reads the headers by itself, so that a fault of the
 generator is seen as well as headers that have changed."""
