@@ -20,7 +20,7 @@ class Header:
 
     def __init__(self):
         self.constants = []   # (name, value)
-        self.enums = set()
+        self.enums = {}       # name -> [(enumerator, value)]
         self.opaque = set()
         self.structs = {}     # name -> [(field, type)]
         self.callbacks = {}   # name -> (result, [argument])
@@ -105,7 +105,8 @@ def fields(header, text):
 
 
 def enumerators(header, text):
-    value = -1
+    """Takes up the constants of an enum's body and returns them."""
+    value, found = -1, []
     for part in text.split(","):
         part = part.strip()
         if not part:
@@ -113,6 +114,8 @@ def enumerators(header, text):
         name, _, given = (piece.strip() for piece in part.partition("="))
         value = eval(given, {"__builtins__": {}}, dict(header.constants)) if given else value + 1
         header.constants.append((name, value))
+        found.append((name, value))
+    return found
 
 
 STATEMENTS = [
@@ -139,8 +142,7 @@ def read(header, text, path):
             raise SystemExit(f"declare.py: {path}: not understood: {text[:100]}")
         name = match.groupdict().get("name")
         if kind == "enum":
-            header.enums.add(name)
-            enumerators(header, match["body"])
+            header.enums[name] = enumerators(header, match["body"])
         elif kind == "constants":
             enumerators(header, match["body"])
         elif kind == "struct":
@@ -188,6 +190,12 @@ def main():
         raise SystemExit("declare.py: no header defines DUCT_VERSION")
     out.append(f'VERSION = "{version}"')
     out += [f"{name} = {value}" for name, value in header.constants]
+    out += ["", "ENUMS = {"]
+    for name, values in header.enums.items():
+        out.append(f'    "{name}": {{')
+        out.extend(f'        "{enumerator}": {value},' for enumerator, value in values)
+        out.append("    },")
+    out.append("}")
     declared = set()
 
     def needed(text):

@@ -6,13 +6,15 @@
     settings["hand"] = ductus.hands()[0].name
     ductus.run(settings, ductus.Drawing.read("drawing.svg")).write("out.svg")
 
-The C headers are the manual for meaning, units and limits; what can fail raises Error with the library's sentence. numpy
-is used where it is there and not needed.
+The C headers are the manual for meaning, units and limits; what can fail raises Error with the library's sentence.
+numpy is used where it is there and not needed.
 """
 from ._library import Cancelled, Error, Missing, load, string as _string
-from .drawing import CHANNELS, Drawing, Stroke, brushes, render
-from .operation import (Choice, Hand, Library, Operation, Param, Preset, Settings, hands, operations, run)
+from .drawing import CHANNELS, LINE_STYLES, Drawing, Format, Stroke, formats
+from .library import Hand, Library, hands
+from .operation import Choice, Operation, Param, Preset, Settings, operations, run
 from .path import CLOSE, CUBIC, LINE, MOVE, Nib, Path
+from .render import TILE_SIZE, Brush, Canvas, brushes, render
 
 
 def version():
@@ -20,6 +22,7 @@ def version():
     return _string(load().duct_version())
 
 
-__all__ = ["CHANNELS", "CLOSE", "CUBIC", "Cancelled", "Choice", "Drawing", "Error", "Hand", "LINE", "Library", "MOVE",
-           "Missing", "Nib", "Operation", "Param", "Path", "Preset", "Settings", "Stroke", "brushes", "hands", "load",
-           "operations", "render", "run", "version"]
+__all__ = ["Brush", "CHANNELS", "CLOSE", "CUBIC", "Cancelled", "Canvas", "Choice", "Drawing", "Error", "Format",
+           "Hand", "LINE", "LINE_STYLES", "Library", "MOVE", "Missing", "Nib", "Operation", "Param", "Path", "Preset",
+           "Settings", "Stroke", "TILE_SIZE", "brushes", "formats", "hands", "load", "operations", "render", "run",
+           "version"]

@@ -4,17 +4,15 @@ import ctypes
 from collections import namedtuple
 
 from . import _declarations as c
-from ._library import Handle, call, context, load, string, text
+from ._library import Callbacks, Handle, call, load, string, text
 from .drawing import Drawing
 
 Choice = namedtuple("Choice", "id label tooltip")
 Param = namedtuple("Param", "id label tooltip type unit minimum maximum step default choices group advanced")
 Preset = namedtuple("Preset", "id label tooltip values")
 Operation = namedtuple("Operation", "id label summary params presets")
-Hand = namedtuple("Hand", "name path builtin")
 
-PARAM_TYPES = {value: name[len("DUCT_PARAM_"):].lower()
-               for name, value in vars(c).items() if name.startswith("DUCT_PARAM_")}
+PARAM_TYPES = {value: name[len("DUCT_PARAM_"):].lower() for name, value in c.ENUMS["duct_param_type"].items()}
 
 
 def _param(p):
@@ -45,43 +43,6 @@ def operations():
         found.append(_operation(pointer.contents))
 
 
-def hands():
-    """The hands that can be opened by name."""
-    library = load()
-    list_ = ctypes.POINTER(c.duct_hand)()
-    count = ctypes.c_size_t()
-    call("duct_library_list", None, ctypes.byref(list_), ctypes.byref(count))
-    try:
-        return [Hand(ctypes.string_at(list_[i].name).decode("utf-8", "surrogateescape"),
-                     ctypes.string_at(list_[i].path).decode("utf-8", "surrogateescape"), list_[i].builtin)
-                for i in range(count.value)]
-    finally:
-        library.duct_hands_free(None, list_, count)
-
-
-class Library(Handle):
-    """Somebody's recorded strokes: a hand by name, or the path of a library or recording."""
-    _free = "duct_library_free"
-
-    def __init__(self, name_or_path):
-        super().__init__(self._make("duct_library_open", None, text(name_or_path)))
-
-    name = property(lambda self: string(load().duct_library_name(self._pointer)))
-    artist = property(lambda self: string(load().duct_library_artist(self._pointer)))
-    licence = property(lambda self: string(load().duct_library_licence(self._pointer)))
-    stroke_count = property(lambda self: load().duct_library_stroke_count(self._pointer))
-    sample_count = property(lambda self: load().duct_library_sample_count(self._pointer))
-    unit = property(lambda self: load().duct_library_unit(self._pointer))
-
-    def has(self, channel):
-        from .drawing import _channel
-        return load().duct_library_has(self._pointer, _channel(channel))
-
-    def drawing(self):
-        """The strokes, in the recording's pixels."""
-        return Drawing(_pointer=Drawing._make("duct_library_drawing", None, self._pointer))
-
-
 class Settings(Handle):
     """Values for one operation's parameters, checked against its table as they are set."""
     _free = "duct_settings_free"
@@ -93,10 +54,10 @@ class Settings(Handle):
         self._libraries = {}
 
     def __setitem__(self, param, value):
+        if type(value).__module__ == "numpy":
+            value = value.item()        # numpy's numbers write themselves in other ways than Python's
         if isinstance(value, bool):
             value = "true" if value else "false"
-        elif isinstance(value, float):
-            value = repr(value)
         call("duct_settings_set", self._pointer, text(param), text(value))
 
     def __getitem__(self, param):
@@ -112,7 +73,8 @@ class Settings(Handle):
     def use_library(self, param, library):
         """Gives an opened Library for a parameter of type "hand"; None goes back to opening by name."""
         call("duct_settings_library", self._pointer, text(param), library._pointer if library is not None else None)
-        self._libraries[param] = library        # has to outlive the runs
+        # A new dict: one that a run in another thread keeps stays as it is.
+        self._libraries = {**self._libraries, param: library}
 
 
 def run(settings, drawing, progress=None, threads=0, trace=None):
@@ -120,24 +82,17 @@ def run(settings, drawing, progress=None, threads=0, trace=None):
 
     `progress(fraction)` is called now and then; where it returns False the run is given up and Cancelled raised. What
     it raises gives up the run as well and is raised again. `trace(bytes)` takes the run's trace piece by piece.
-    Python's lock is free during the run. Raises Error."""
-    raised = []
-    surroundings = context(threads, progress, raised)
+    Python's lock is free during the run; settings and drawing must not be changed then. Raises Error."""
+    kept = settings._libraries      # have to outlive the run
+    callbacks = Callbacks()
+    surroundings = callbacks.context(threads, progress)
     options = c.duct_run_options()
     if trace is not None:
-        def write(_user, data, size):
-            try:
-                trace(ctypes.string_at(data, size))
-                return True
-            except BaseException as error:      # must not pass through C
-                raised.append(error)
-                return False
-        options.trace = c.duct_trace(write)
-    try:
-        pointer = Drawing._make("duct_operation_run", ctypes.byref(surroundings), settings._pointer, drawing._pointer,
-                                ctypes.byref(options))
-    except Exception:
-        if raised:
-            raise raised[0] from None
-        raise
-    return Drawing(_pointer=pointer)
+        def write(data, size):
+            trace(ctypes.string_at(data, size))
+            return True
+        options.trace = callbacks.made(c.duct_trace, write)
+    made = callbacks.during(Drawing._take, "duct_operation_run", ctypes.byref(surroundings), settings._pointer,
+                            drawing._pointer, ctypes.byref(options))
+    del kept        # not before
+    return made

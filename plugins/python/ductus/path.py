@@ -50,7 +50,8 @@ class Path(Handle):
 
     def map(self, matrix):
         """Maps all points by (a, b, c, d, e, f), SVG's matrix."""
-        load().duct_path_map(self._pointer, (ctypes.c_double * 6)(*matrix))
+        a, b, c_, d, e, f = matrix
+        load().duct_path_map(self._pointer, (ctypes.c_double * 6)(a, b, c_, d, e, f))
 
     def flatten(self, id, tolerance, drawing):
         """Appends a stroke to the drawing for each subpath that draws something: `id`, `id`/2 ..."""
@@ -71,7 +72,7 @@ class Path(Handle):
         call("duct_path_widths", None, self._pointer, subpath, stroke._pointer, _nib(nib), tolerance,
              ctypes.byref(list_), ctypes.byref(count))
         try:
-            return [(list_[i].at, list_[i].width) for i in range(count.value)]
+            return [(place.at, place.width) for place in list_[:count.value]]
         finally:
             load().duct_memory_free(None, ctypes.cast(list_, ctypes.c_void_p))
 
