@@ -264,11 +264,12 @@ static void search_at(size_t rows, FILE *table)
 void bench_search_speed(const char *out)
 {
     static const size_t sizes[] = {10, 100, 1000, 9000, 100000, 1000000};
-    const char *most = getenv("BENCH_MOST_ROWS");
+    const char *least = getenv("BENCH_LEAST_ROWS"), *most = getenv("BENCH_MOST_ROWS");
     FILE *table = open_table(out, "search");
     fputs("rows,method,microseconds,recall\n", table);
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
-        if (most == NULL || sizes[i] <= strtoul(most, NULL, 10)) {
+        if ((least == NULL || sizes[i] >= strtoul(least, NULL, 10)) &&
+            (most == NULL || sizes[i] <= strtoul(most, NULL, 10))) {
             search_at(sizes[i] < 2 * K ? 2 * K : sizes[i], table);
         }
     }

@@ -7,6 +7,7 @@
 #include "search/exact_private.h"
 
 #include "base/error.h"
+#include "base/wide.h"
 
 #include <math.h>
 #include <string.h>
@@ -14,22 +15,18 @@
 enum {
     LANES = DUCT_EXACT_LANES,
     LEAF = DUCT_EXACT_LEAF,
+    STEP = 8,     /* coordinates between two looks at what is left */
     MOST_K = 128, /* beyond, rows are kept in a heap */
     ROOM = 2 * MOST_K + 32,
-    ABREAST = 4 /* rows whose sums are formed side by side */
+    ABREAST = 8 /* rows whose sums are formed side by side */
 };
-
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__clang__)
-#define WIDE __attribute__((target_clones("avx2", "default")))
-#else
-#define WIDE
-#endif
-/* Part of the functions above, whatever they are compiled for. */
-#define INLINE static inline __attribute__((always_inline))
 
 /* Floats side by side; the compiler turns them into what the processor has. */
 typedef float lanes __attribute__((vector_size(LANES * sizeof(float)), aligned(sizeof(float))));
 typedef int32_t masks __attribute__((vector_size(LANES * sizeof(int32_t))));
+typedef float fours __attribute__((vector_size(4 * sizeof(float))));
+typedef float loose_fours __attribute__((vector_size(4 * sizeof(float)), aligned(sizeof(float))));
+typedef int32_t four_places __attribute__((vector_size(4 * sizeof(int32_t))));
 
 /* The rows found so far. */
 typedef struct {
@@ -63,7 +60,7 @@ static float square_of(uint64_t key)
     return square;
 }
 
-INLINE void set_limit(walk *self, float limit)
+WIDE_PART void set_limit(walk *self, float limit)
 {
     self->limit = limit;
     self->reach = limit * 1.0005f + self->slack;
@@ -111,26 +108,50 @@ static void keep(walk *self, float square, uint32_t row)
     }
 }
 
-/* Squared distances of ABREAST rows, each summed up in the order of the dimensions. */
-INLINE void squares_abreast(const float *query, const float *const *rows, size_t dimensions, float *squares)
+/* Four dimensions of four rows each come in, and are turned so that a row's squares lie in one lane. */
+WIDE_PART void add_squares(fours values, const float *const *rows, size_t at, fours *sum)
 {
-    float a = 0, b = 0, c = 0, d = 0;
-    const float *p = rows[0], *q = rows[1], *r = rows[2], *s = rows[3];
-    for (size_t i = 0; i < dimensions; i++) {
-        float value = query[i], x = value - p[i], y = value - q[i], z = value - r[i], w = value - s[i];
-        a += x * x;
-        b += y * y;
-        c += z * z;
-        d += w * w;
+    fours a = values - *(const loose_fours *)(rows[0] + at),
+          b = values - *(const loose_fours *)(rows[1] + at);
+    fours c = values - *(const loose_fours *)(rows[2] + at),
+          d = values - *(const loose_fours *)(rows[3] + at);
+    a *= a;
+    b *= b;
+    c *= c;
+    d *= d;
+    fours ab = __builtin_shuffle(a, b, (four_places){0, 4, 1, 5});
+    fours cd = __builtin_shuffle(c, d, (four_places){0, 4, 1, 5});
+    *sum += __builtin_shuffle(ab, cd, (four_places){0, 1, 4, 5});
+    *sum += __builtin_shuffle(ab, cd, (four_places){2, 3, 6, 7});
+    ab = __builtin_shuffle(a, b, (four_places){2, 6, 3, 7});
+    cd = __builtin_shuffle(c, d, (four_places){2, 6, 3, 7});
+    *sum += __builtin_shuffle(ab, cd, (four_places){0, 1, 4, 5});
+    *sum += __builtin_shuffle(ab, cd, (four_places){2, 3, 6, 7});
+}
+
+/* Squared distances of ABREAST rows, each summed up in the order of the dimensions. */
+WIDE_PART void squares_abreast(const float *query, const float *const *rows, size_t dimensions,
+                               float *squares)
+{
+    fours low = {0}, high = {0};
+    size_t d = 0;
+    for (; d + 4 <= dimensions; d += 4) {
+        fours values = *(const loose_fours *)(query + d);
+        add_squares(values, rows, d, &low);
+        add_squares(values, rows + 4, d, &high);
     }
-    squares[0] = a;
-    squares[1] = b;
-    squares[2] = c;
-    squares[3] = d;
+    memcpy(squares, &low, sizeof low);
+    memcpy(squares + 4, &high, sizeof high);
+    for (; d < dimensions; d++) {
+        for (size_t i = 0; i < ABREAST; i++) {
+            float difference = query[d] - rows[i][d];
+            squares[i] += difference * difference;
+        }
+    }
 }
 
 /* Compares the last `many` of the pending rows in full. */
-INLINE void compare_pending(walk *self, size_t many)
+WIDE_PART void compare_pending(walk *self, size_t many)
 {
     const duct_search *base = &self->index->base;
     const float *rows[ABREAST];
@@ -146,45 +167,65 @@ INLINE void compare_pending(walk *self, size_t many)
     }
 }
 
-/* Squared distances from LANES boxes. */
-INLINE void box_bounds(const walk *self, const float *box, lanes *bounds)
-{
-    const lanes *boxes = (const lanes *)box;
-    const lanes zero = {0};
-    lanes sum = {0};
-    for (size_t c = 0; c < self->index->coordinates; c++) {
-        lanes off = boxes[2 * c] - self->place[c];
-        lanes outside = (lanes)((masks)off & INT32_MAX) - boxes[2 * c + 1];
-        outside = (lanes)((masks)outside & (outside > zero));
-        sum += outside * outside;
-    }
-    *bounds = sum;
-}
-
 /* A bit for each lane that is within the limit. */
-INLINE unsigned within(const lanes *bounds, float limit)
+WIDE_PART unsigned within(const lanes *bounds, float limit)
 {
     masks in = *bounds <= limit;
+#if defined(__SSE__)
+    fours low, high;
+    memcpy(&low, &in, sizeof low);
+    memcpy(&high, (const char *)&in + sizeof low, sizeof high);
+    return (unsigned)__builtin_ia32_movmskps(low) | (unsigned)__builtin_ia32_movmskps(high) << 4;
+#else
     unsigned bits = 0;
     for (unsigned lane = 0; lane < LANES; lane++) {
         bits |= (unsigned)in[lane] & 1u << lane;
     }
     return bits;
+#endif
+}
+
+/* Squared distances from LANES boxes; a bit for each that is within reach. */
+WIDE_PART unsigned near_boxes(const walk *self, const float *box, float *bounds)
+{
+    const lanes *boxes = (const lanes *)box, zero = {0};
+    lanes sum = {0};
+    unsigned near = 0;
+    for (size_t first = 0; first < self->index->coordinates; first += STEP) {
+        for (size_t c = first; c < first + STEP; c++) {
+            lanes off = boxes[2 * c] - self->place[c];
+            lanes outside = (lanes)((masks)off & INT32_MAX) - boxes[2 * c + 1];
+            outside = (lanes)((masks)outside & (outside > zero));
+            sum += outside * outside;
+        }
+        near = within(&sum, self->reach);
+        if (near == 0) {
+            break;
+        }
+    }
+    memcpy(bounds, &sum, sizeof sum);
+    return near;
 }
 
 /* Rows of a leaf that their coordinates do not rule out become pending. */
-INLINE void scan_leaf(walk *self, size_t leaf)
+WIDE_PART void scan_leaf(walk *self, size_t leaf)
 {
     const duct_exact *index = self->index;
     const lanes *places = (const lanes *)(index->places + leaf * index->coordinates * LEAF);
     const uint32_t *order = index->order + leaf * LEAF;
     lanes low = {0}, high = {0};
-    for (size_t c = 0; c < index->coordinates; c++) {
-        lanes a = places[2 * c] - self->place[c], b = places[2 * c + 1] - self->place[c];
-        low += a * a;
-        high += b * b;
+    unsigned near = 0;
+    for (size_t first = 0; first < index->coordinates; first += STEP) {
+        for (size_t c = first; c < first + STEP; c++) {
+            lanes a = places[2 * c] - self->place[c], b = places[2 * c + 1] - self->place[c];
+            low += a * a;
+            high += b * b;
+        }
+        near = within(&low, self->reach) | within(&high, self->reach) << LANES;
+        if (near == 0) {
+            return;
+        }
     }
-    unsigned near = within(&low, self->reach) | within(&high, self->reach) << LANES;
     for (; near != 0; near &= near - 1) {
         self->pending[self->pending_count++] = order[__builtin_ctz(near)];
     }
@@ -193,50 +234,53 @@ INLINE void scan_leaf(walk *self, size_t leaf)
     }
 }
 
-/* Walks the boxes from the outermost inwards, the nearest first. */
-WIDE static void walk_boxes(walk *self)
+/* The box among those left that is to be looked into next. */
+WIDE_PART unsigned next_box(unsigned left, const float *bounds, bool nearest_first)
+{
+    unsigned next = (unsigned)__builtin_ctz(left);
+    for (left &= left - 1; nearest_first && left != 0; left &= left - 1) {
+        unsigned lane = (unsigned)__builtin_ctz(left);
+        next = bounds[lane] < bounds[next] ? lane : next;
+    }
+    return next;
+}
+
+/* Walks the boxes from the outermost inwards. */
+WIDE_PART void walk_boxes(walk *self, bool nearest_first)
 {
     typedef struct {
         float bounds[LANES];
         size_t group;
         unsigned left; /* a bit for each box that has still to be looked into */
-    } place;
+    } stage;
     const duct_exact *index = self->index;
     const size_t size = index->coordinates * 2 * LANES;
-    place path[DUCT_EXACT_LEVELS];
+    stage path[DUCT_EXACT_LEVELS];
     size_t top = index->level_count - 1, level = top;
-    bool fresh = true;
     path[top].group = 0;
+    path[top].left = near_boxes(self, index->levels[top].boxes, path[top].bounds);
     for (;;) {
-        place *here = &path[level];
-        if (fresh) {
-            lanes bounds;
-            box_bounds(self, index->levels[level].boxes + here->group * size, &bounds);
-            here->left = within(&bounds, self->reach);
-            memcpy(here->bounds, &bounds, sizeof bounds);
-        }
-        fresh = false;
-        unsigned nearest = LANES;
-        for (unsigned left = here->left; left != 0; left &= left - 1) {
-            unsigned lane = (unsigned)__builtin_ctz(left);
-            nearest = nearest == LANES || here->bounds[lane] < here->bounds[nearest] ? lane : nearest;
-        }
-        if (nearest == LANES || !(here->bounds[nearest] <= self->reach)) {
+        stage *here = &path[level];
+        if (here->left == 0) {
             if (level == top) {
                 break;
             }
             level++;
             continue;
         }
-        here->left &= ~(1u << nearest);
-        size_t inner = here->group * LANES + nearest;
+        unsigned next = next_box(here->left, here->bounds, nearest_first);
+        here->left &= ~(1u << next);
+        if (!(here->bounds[next] <= self->reach)) {
+            continue; /* the limit has come down since */
+        }
+        size_t inner = here->group * LANES + next;
         if (level == 0) {
             scan_leaf(self, inner);
-        } else {
-            level--;
-            path[level].group = inner;
-            fresh = true;
+            continue;
         }
+        level--;
+        path[level].group = inner;
+        path[level].left = near_boxes(self, index->levels[level].boxes + inner * size, path[level].bounds);
     }
     if (self->pending_count > 0) {
         compare_pending(self, self->pending_count);
@@ -244,7 +288,7 @@ WIDE static void walk_boxes(walk *self)
 }
 
 /* The k-th smallest distance among k of the hints: no row that is farther can be an answer. */
-WIDE static void limit_by_hints(walk *self, const uint32_t *hints, size_t hint_count)
+WIDE_PART void limit_by_hints(walk *self, const uint32_t *hints, size_t hint_count)
 {
     const duct_search *base = &self->index->base;
     /* Which rows were seen, by their last bits: a hint that only looks like one seen before is left out. */
@@ -275,6 +319,17 @@ WIDE static void limit_by_hints(walk *self, const uint32_t *hints, size_t hint_c
     }
     if (taken == self->k) {
         set_limit(self, most);
+    }
+}
+
+WIDE static void find(walk *self, const uint32_t *hints, size_t hint_count)
+{
+    limit_by_hints(self, hints, hint_count);
+    /* Without a limit to begin with, one comes the sooner the nearer the first rows are. */
+    if (self->limit < FLT_MAX) {
+        walk_boxes(self, false);
+    } else {
+        walk_boxes(self, true);
     }
 }
 
@@ -318,8 +373,7 @@ static size_t exact_nearest(const duct_search *search, const float *query, size_
     self.room = 2 * k + 32;
     self.heap = (duct_nearest){rows, distances, 0, k};
     self.limit = self.reach = FLT_MAX;
-    limit_by_hints(&self, hints, hint_count);
-    walk_boxes(&self);
+    find(&self, hints, hint_count);
     if (k > MOST_K) {
         duct_nearest_finish(&self.heap);
         return self.heap.count;
