@@ -273,9 +273,10 @@ static duct_gesture average_at(duct_stream *self, point pen, double length, doub
     for (size_t n = 0; n < found; n++) {
         self->items[n] =
             (duct_candidate){near[n], duct_library_stroke_of(self->library, near[n]), distances[n]};
-        self->hints[self->hint_count++] = near[n];
         self->hints[self->hint_count++] = near[n] + 1;
     }
+    memcpy(self->hints + found, near, found * sizeof *near);
+    self->hint_count = 2 * found;
     size_t starts[2] = {0, found};
     const duct_columns columns = {1, starts, self->items};
     duct_gesture gesture;

@@ -65,8 +65,10 @@ duct_status duct_search_one_by_one(const duct_search *search, const duct_allocat
         /* The next sample's neighbours are likely those that follow this one's. */
         hint_count = 0;
         for (size_t n = 0; n < found[i]; n++) {
-            hints[hint_count++] = near[n];
             hints[hint_count++] = near[n] + 1;
+        }
+        for (size_t n = 0; n < found[i]; n++) {
+            hints[hint_count++] = near[n];
         }
     }
     duct_release(allocator, hints);
