@@ -68,6 +68,10 @@ static const seed seeds[] = {
               "\"pressure\":[[0,-1],"
               "[1,1]]}},\"opaque\":{\"base_value\":1.0,\"inputs\":{}},\"hardness\":{\"base_value\":0.5,"
               "\"inputs\":{}}}}"},
+    {"path", "M1 2L3,4h5v-6c1 1 2 2 3 0s1 1 2 2q1 1 2 0t3 3a5 4 20 0 1 6 6z m1e1-.5l2 2"},
+    {"path",
+     "M 10 10 C 20 20, 40 20, 50 10 S 80 0 90 10 Z M 0 0 A 25 26 -30 0 1 50 25 H 9 V 9 Q 1 2 3 4 T 5 6"},
+    {"gzip", "some some some some text text"},
     {"index", "\001\002\003\004\005\006\007"},
     {"index", "DUCTIDX1"},
     {"trace",
@@ -144,12 +148,11 @@ int main(int count, char **arguments)
         char name[32];
         snprintf(name, sizeof name, "%s-%zu", seeds[i].format, i);
         put(arguments[1], seeds[i].format, name, seeds[i].text, strlen(seeds[i].text));
-        if (strcmp(seeds[i].format, "xopp") == 0) {
+        if (strcmp(seeds[i].format, "xopp") == 0 || strcmp(seeds[i].format, "gzip") == 0) {
             strcat(name, "-packed");
             put_packed(arguments[1], seeds[i].format, name, seeds[i].text);
         }
-        if (strcmp(seeds[i].format, "brush") != 0 && strcmp(seeds[i].format, "index") != 0 &&
-            strcmp(seeds[i].format, "trace") != 0) {
+        if (strstr("brush index trace path gzip", seeds[i].format) == NULL) {
             put(arguments[1], "any", name, seeds[i].text, strlen(seeds[i].text));
         }
     }
