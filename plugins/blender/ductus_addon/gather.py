@@ -163,10 +163,11 @@ def _view(context):
             if area.type == "VIEW_3D":
                 region = area.spaces.active.region_3d
                 break
-    if region is not None:
-        return np.array(region.view_matrix.inverted())
-    if context.scene.camera is not None:
-        return np.array(context.scene.camera.matrix_world)
+    camera = context.scene.camera
+    if region is not None and not (region.view_perspective == "CAMERA" and camera is not None):
+        return np.array(region.view_rotation.to_matrix())
+    if camera is not None:
+        return np.array(camera.matrix_world)
     return np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]])
 
 
@@ -217,6 +218,9 @@ def _gather_layer(context, host, own, ob, layer, layers, entries, direction, seq
         here = host.read(ob, layer.name, base, selected)
         if not here.index:
             continue
+        if not np.isfinite(here.points["position"]).all():
+            raise Refused(f"layer '{layer.name}' of '{ob.name}' has a line at frame {base} whose points are no numbers: "
+                          "delete it and try again")
         readings = [(here, here.index, here.index)]
         marks = host.fingerprints(ob, layer.name, base)
         if origin is not None:

@@ -138,7 +138,8 @@ class Job:
         widths = np.array([w for part in self.parts for w in part.strokes.widths], dtype=float)
         colors = [color for part in self.parts for color in part.strokes.colors]
         x, y = np.ascontiguousarray(layout.plane[:, 0]), np.ascontiguousarray(layout.plane[:, 1])
-        twist = -pen["rotation"]
+        # Blender turns points clockwise, as the drawing does, whose y runs down.
+        twist = pen["rotation"]
         if pen["direction"] is not None:
             twist = np.where(pen["along"][line], twist + pen["direction"], twist)
         times = self.points.get("time")
@@ -316,7 +317,7 @@ class Job:
                 broad = pens.breadth(angle, ratio, direction)
                 values["thickness"] = np.where(posed, values["thickness"] * broad, values["thickness"])
             if own["rotation"]:
-                turned = -angle if direction is None else np.where(pen["along"][line], direction - angle, -angle)
+                turned = angle if direction is None else np.where(pen["along"][line], angle - direction, angle)
                 values["rotation"] = np.where(posed, pens.half_turns(turned), values["rotation"])
 
     def _add(self, stroke, like, layout, pen):

@@ -79,9 +79,12 @@ class Course:
         self.axis = self.along + self.base[lines.line]
 
     def shares(self):
-        """For each of the callers' points: its place as a share of its line's length, 0..1."""
-        length = np.maximum(self.length, 1e-300)
-        share = self.along / length[self.lines.line]
+        """For each of the callers' points: its place as a share of its line's length, 0..1; evenly from point to point
+        on lines without length."""
+        lines = self.lines
+        length = self.length[lines.line]
+        even = (np.arange(len(lines.line)) - lines.first[lines.line]) / np.maximum(lines.last - lines.first, 1)[lines.line]
+        share = np.where(length > 0, self.along / np.where(length > 0, length, 1), even)
         at_points = np.zeros(int(self.lines.counts.sum()))
         # Backwards, so that a closed line's first point keeps the 0 and not the 1 of its repetition.
         at_points[self.lines.index[::-1]] = share[::-1]

@@ -28,7 +28,7 @@ ATTRIBUTES = {name: what for name, what in _ATTRIBUTES.items()
 
 # points.add() takes time that grows with the square of a line's length, most of it while the new points lie all in
 # one place: long lines grow in pieces of this many points.
-PIECE = 256
+PIECE = 128
 
 
 def layers(ob):
@@ -297,9 +297,15 @@ def _set_points(ob, stroke, values, color):
         if len(points) < len(position):
             points.foreach_set("co", position[:len(points)].ravel())
     for name, (theirs, size) in ATTRIBUTES.items():
-        if name in values:
-            kind = bool if name == "select" else np.float32
-            points.foreach_set(theirs, np.ascontiguousarray(values[name], dtype=kind).ravel())
+        if name in values and name != "select":
+            points.foreach_set(theirs, np.ascontiguousarray(values[name], dtype=np.float32).ravel())
+    chosen = values.get("select")
+    if chosen is not None and len(chosen):
+        # Blender looks at the whole line again for every point whose selection is set.
+        if chosen.all() or not chosen.any():
+            stroke.select = bool(chosen[0])
+        else:
+            points.foreach_set("select", np.ascontiguousarray(chosen, dtype=bool))
     if color is not None:
         points.foreach_set("vertex_color", np.tile(np.float32(_linear(color) + (1,)), len(points)))
     for name, weights in values.items():
