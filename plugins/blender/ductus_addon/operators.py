@@ -70,15 +70,17 @@ class _Operate:
         return context.scene is not None
 
     def _take_scene_settings(self, context):
-        """The panel's values, where the caller has not given others."""
+        """The panel's values: all of them for the panel's button; else where the caller has not given others (Blender
+        gives those of the last run by itself)."""
         group = getattr(context.scene.ductus, settings_name(self.operation))
         for name in properties.names(OWN + self.operation.params):
-            if not self.properties.is_property_set(name):
+            if self.from_panel or not self.properties.is_property_set(name):
                 setattr(self, name, getattr(group, name))
 
     def _failed(self, error):
         sentence = str(error).strip()
-        sentence = sentence[:1].upper() + sentence[1:]
+        if isinstance(error, grease_pencil.Refused):
+            sentence = sentence[:1].upper() + sentence[1:]
         self.report({"ERROR"}, sentence if sentence.endswith((".", "!", "?")) else sentence + ".")
         return {"CANCELLED"}
 
@@ -216,6 +218,7 @@ def operator_for(operation):
     annotations = properties.annotations(OWN + operation.params)
     annotations["show_advanced"] = bpy.props.BoolProperty(
         name="More", description="Show all settings", default=False, options={"SKIP_SAVE"})
+    annotations["from_panel"] = bpy.props.BoolProperty(options={"SKIP_SAVE", "HIDDEN"})
     return type(f"DUCTUS_OT_{settings_name(operation)}", (_Operate, bpy.types.Operator), {
         "__doc__": operation.summary,
         "__annotations__": annotations,

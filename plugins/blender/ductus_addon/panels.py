@@ -82,7 +82,7 @@ def panels_for(operation):
         properties.draw(layout, group, [own for own in OWN if own.group == OWN[0].group], False)
         column = layout.column()
         column.scale_y = 1.4
-        column.operator(operator_name(operation), icon="GREASEPENCIL")
+        column.operator(operator_name(operation), icon="GREASEPENCIL").from_panel = True
         layout.operator("ductus.restore_original", icon="LOOP_BACK")
 
     def panel(suffix, label, body, closed=True):

@@ -14,7 +14,7 @@ from .own import OWN
 
 # Names that mean something else to Blender.
 _RESERVED = {"name", "rna_type", "bl_rna", "type", "id_data", "properties", "layout", "options", "macros", "report",
-             "execute", "invoke", "modal", "draw", "check", "cancel", "poll", "has_reports", "show_advanced"}
+             "execute", "invoke", "modal", "draw", "check", "cancel", "poll", "has_reports", "show_advanced", "from_panel"}
 _OWN_NAMES = {own.id.replace("-", "_") for own in OWN}
 
 # Blender's integers have 32 bits.

@@ -301,10 +301,9 @@ def _set_points(ob, stroke, values, color):
             points.foreach_set(theirs, np.ascontiguousarray(values[name], dtype=np.float32).ravel())
     chosen = values.get("select")
     if chosen is not None and len(chosen):
-        # Blender looks at the whole line again for every point whose selection is set.
-        if chosen.all() or not chosen.any():
-            stroke.select = bool(chosen[0])
-        else:
+        # This sets all points. Blender looks for the line anew for every point whose selection is set by itself.
+        stroke.select = bool(chosen.any())
+        if chosen.any() and not chosen.all():
             points.foreach_set("select", np.ascontiguousarray(chosen, dtype=bool))
     if color is not None:
         points.foreach_set("vertex_color", np.tile(np.float32(_linear(color) + (1,)), len(points)))
