@@ -231,7 +231,7 @@ def _gather_layer(context, host, own, ob, layer, layers, entries, direction, seq
                 continue
             parts.append(len(work.parts))
             work.parts.append(Part(strokes, targets, names, prefix, step, stretch, pixel, axes, 2 * sequence
-                                   + (names is not strokes.index)))
+                                   + (names is not strokes.index), targets is not strokes.index))
         if parts:
             work.pieces.append(Piece(ob, layer.name, target, number, base, tuple(parts),
                                      tuple(marks) if entry or target != layer.name else None))

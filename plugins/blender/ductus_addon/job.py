@@ -31,6 +31,7 @@ class Part(NamedTuple):
     pixel: float  # the same sizes, of a drawing pixel
     axes: object  # right and down of the plane (2 x 3), or None
     sequence: int  # parts with the same number follow each other in time
+    anew: bool  # the drawing holds other lines in their places: they are written even if the core changes nothing
 
 
 class Job:
@@ -166,7 +167,7 @@ class Job:
         waiting = defaultdict(deque)
         for line, name in zip(own.tolist(), ids):
             waiting[name].append(line)
-        changed, strokes, last = [], [], None
+        changed, strokes, same, last = [], [], set(), None
         for stroke in output:
             queue = waiting.get(stroke.id)
             if not queue:
@@ -176,6 +177,7 @@ class Job:
             last = queue.popleft()
             channels = {name: stroke.channel(name) for name in ("x", "y") + CHANNELS}
             if self._same(last, channels, pen):
+                same.add(last)
                 continue
             changed.append(last)
             strokes.append((channels, stroke.color, stroke.opacity))
@@ -183,7 +185,8 @@ class Job:
         self.removals = [(int(self.part[line]), self._target(line))
                          for line in range(len(self)) if int(keys[line]) in gone]
         self._put_back(changed, strokes, keys, turns, layout, pen)
-        self._compare_steps(keys)
+        self._repeat([line for line, key in enumerate(keys.tolist()) if key in same])
+        self._compare_steps()
 
     def _target(self, line):
         part = int(self.part[line])
@@ -200,6 +203,14 @@ class Job:
             if (values is None) != (before is None) or (values is not None and not np.array_equal(values, before)):
                 return False
         return True
+
+    def _repeat(self, lines):
+        """Lines that stay as they are, but stand in for others."""
+        for line in lines:
+            if self.parts[int(self.part[line])].anew:
+                rows = slice(self.lines.offset[line], self.lines.offset[line] + self.counts[line])
+                piece = {name: array[rows] for name, array in self.points.items() if name != "time"}
+                self.changes[int(self.part[line]), self._target(line)] = (_without_empty_weights(piece), None)
 
     def _put_back(self, changed, strokes, keys, turns, layout, pen):
         """All lines that follow a changed one get its result, each in its own place."""
@@ -281,8 +292,7 @@ class Job:
         colors = [color for part in self.parts for color in part.strokes.colors]
         for i, first, last, origin in zip(lines.tolist(), (ends - counts).tolist(), ends.tolist(), source.tolist()):
             piece = {name: array[first:last] for name, array in values.items()}
-            for name in [n for n in piece if isinstance(n, tuple) and (piece[n] < 0).all()]:
-                del piece[name]
+            piece = _without_empty_weights(piece)
             _, color, opacity = strokes[origin]
             given = min(max(float(strength[changed[origin]]), 0.0), 1.0)
             if abs(opacity - given) > 1e-6 and given > 0:
@@ -343,7 +353,7 @@ class Job:
         self.additions.setdefault(part_number, []).append(
             (self._target(like), points, stroke.closed, stroke.color))
 
-    def _compare_steps(self, keys):
+    def _compare_steps(self):
         """Whether a boil came out alike at every step, so that nothing moves."""
         last = {}
         self.alike = False
@@ -359,6 +369,11 @@ class Job:
                     or not np.array_equal(other[2], points["thickness"])
             last[where] = (part.step, points["position"], points["thickness"])
         self.alike = not different
+
+
+def _without_empty_weights(piece):
+    """A line's values without the groups that it has no weight in."""
+    return {name: array for name, array in piece.items() if not isinstance(name, tuple) or (array >= 0).any()}
 
 
 def _clock(values):

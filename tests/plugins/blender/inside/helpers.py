@@ -84,7 +84,7 @@ def snapshot(data):
             frames.append((frame.frame_number, frame.keyframe_type, strokes))
         layers.append((layer.info, layer.hide, layer.lock, frames))
     active = data.layers.active
-    return layers, active.info if active else None, {key: str(data[key]) for key in data.keys()}
+    return layers, active.info if active else None, {key: data[key].to_dict() for key in data.keys()}
 
 
 def restyle(**values):
