@@ -82,7 +82,7 @@ OWN = (
         group=PEN, advanced=True),
     Own("thickest", "Thickest", "Line width at full pressure, as a share of the line's own", "real", "1.7", (), 1, 10,
         0.05, group=PEN, advanced=True),
-    Own("strength", "Strength", "How far light pressure lowers the strength of a line; 0 leaves it alone", "real", "0.3",
+    Own("strength", "Strength", "How far light pressure lowers the strength of a line; 0 leaves it alone", "real", "0.15",
         (), 0, 1, 0.05, group=PEN, advanced=True),
     Own("nib-aspect", "Nib Aspect", "Length of the nib beside its breadth: 1 is round, more makes the width of a line "
         "follow its direction, as a broad nib's does", "real", "1", (), 1, 20, 0.1, group=PEN, advanced=True),

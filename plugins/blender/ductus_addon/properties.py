@@ -149,8 +149,8 @@ def draw(layout, group, params, advanced):
         if param.advanced != advanced:
             continue
         if param.type == "auto":
-            row = column.row(align=True)
-            row.prop(group, switch(param), text=f"{param.label}: Auto", toggle=True)
+            row = column.row(align=True, heading=param.label)
+            row.prop(group, switch(param), text="Auto", toggle=True)
             number = row.row(align=True)
             number.active = not getattr(group, switch(param))
             number.prop(group, identifier(param), text="")
