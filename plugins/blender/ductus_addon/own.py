@@ -68,7 +68,7 @@ OWN = (
         needs=("frames", ("range",))),
     Own("frame-end", "End", "Last frame of the range", "int", "250", (), -1048574, 1048574, 1, group=TIME,
         needs=("frames", ("range",))),
-    Own("seeds", "Seed", "How chance goes along with time", "choice", "still", (
+    Own("seeds", "Over Time", "How chance goes along with time", "choice", "still", (
             Choice("still", "Still", "The same choices in all drawings"),
             Choice("boil", "Boil", "New choices every few frames; drawings that are held longer get keyframes for it"),
         ), group=TIME, needs=("frames", ("scene", "range", "all"))),

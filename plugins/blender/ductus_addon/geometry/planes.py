@@ -57,7 +57,7 @@ def best_fit(lines, points, behind=BEHIND, down=DOWN):
     # A little more spread in every direction but `behind` makes it the flattest one where the line does not say.
     open_turn = np.eye(3) - np.outer(behind, behind)
     scale = np.where(trace > 0, trace, 1)[:, None, None]
-    _, vectors = np.linalg.eigh(spread / scale + 1e-6 * open_turn)
+    _, vectors = np.linalg.eigh(spread / scale + 1e-9 * open_turn)
     away = vectors[:, :, 0]
     away = np.where((away @ behind < 0)[:, None], -away, away)
     right, downward = axes_for(away, down)
