@@ -12,11 +12,15 @@ import numpy as np
 
 from .geometry import pens, tracks
 from .geometry.layout import lay_out
-from .geometry.lines import Lines, correspondence
+from .geometry.lines import Course, Lines, correspondence
 
 CHANNELS = ("pressure", "tilt_x", "tilt_y", "twist")
 # Points that are put back at a time, which bounds memory.
 CHUNK = 400_000
+
+
+class Stopped(Exception):
+    """The run was given up after the core was done."""
 
 
 class Part(NamedTuple):
@@ -49,7 +53,6 @@ class Job:
         self.points = {name: self._joined(name) for name in self.names}
         self.changes, self.additions, self.removals = {}, {}, []
         self.alike = False
-        self.core_seconds = 0.0
 
     def _attributes(self):
         names = []
@@ -103,7 +106,8 @@ class Job:
         return names, keys, turns
 
     def compute(self, run, progress=lambda fraction: True):
-        """`run(fill, progress)` lets the core work: `fill(drawing)` adds the lines, the result is the core's drawing."""
+        """`run(fill, progress)` lets the core work: `fill(drawing)` adds the lines, the result is the core's drawing.
+        `progress` returns False to give up. Raises what `run` raises, and Stopped."""
         layout = self._lay_out()
         names, keys, turns = self._follow(layout)
         own = np.flatnonzero(keys == np.arange(len(self)))
@@ -111,6 +115,7 @@ class Job:
                for p, n in zip(self.part[own].tolist(), names[own].tolist())]
         pen = self._pens(layout)
         output = run(lambda drawing: self._fill(drawing, own, ids, layout, pen), progress)
+        self._progress = progress
         self._take(output, own, ids, keys, turns, layout, pen)
 
     # What the core gets -----------------------------------------------------------------------------------------------
@@ -235,6 +240,8 @@ class Job:
         receivers = np.flatnonzero(source >= 0)
         sizes = np.cumsum(new_counts[source[receivers]])
         for cut in np.split(receivers, np.flatnonzero(np.diff(sizes // CHUNK)) + 1):
+            if not self._progress(1.0):
+                raise Stopped
             self._put_back_some(cut, source[cut], strokes, changed, begin, moved, place, joined, turns, layout, pen)
 
     @staticmethod
@@ -251,7 +258,6 @@ class Job:
             rows = np.concatenate([np.arange(old.offset[i], old.offset[i] + old.counts[i]) for i in changed])
             part = Lines(old.counts[changed], old.closed[changed])
             plane = layout.plane[rows]
-            from .geometry.lines import Course
             course = Course(part, plane, layout.points[rows])
         along = correspondence(course, plane, fresh, moved)
         line = np.repeat(np.arange(len(changed)), new_counts)

@@ -4,7 +4,7 @@
 import numpy as np
 
 from .lines import Course, Lines
-from .planes import BEHIND, DOWN, best_fit
+from .planes import best_fit
 from .ribbons import unroll
 
 # A line whose points are farther from its plane than this share of its extent is not flat.
@@ -44,7 +44,7 @@ def lay_out(counts, closed, points, method, axes=None):
     if method == "plane":
         right, down = axes[:, 0], axes[:, 1]
     else:
-        right, down, flatness = best_fit(lines, points, BEHIND, DOWN)
+        right, down, flatness = best_fit(lines, points)
     along, across = right[point_line], down[point_line]
     plane = np.stack(((points * along).sum(axis=1), (points * across).sum(axis=1)), axis=1)
     if method in ("surface", "auto"):

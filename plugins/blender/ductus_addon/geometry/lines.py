@@ -45,9 +45,12 @@ class Lines:
         return steps
 
     def sums(self, values):
-        """The sum of `values` (one for each position) over each line."""
-        total = np.concatenate((np.zeros((1,) + values.shape[1:]), np.cumsum(values, axis=0)))
-        return total[self.last + 1] - total[self.first]
+        """The sum of `values` (one for each position) over each line; what it is does not depend on other lines."""
+        sums = np.zeros((len(self),) + values.shape[1:], dtype=values.dtype)
+        full = self.last >= self.first
+        if full.any():
+            sums[full] = np.add.reduceat(values, self.first[full], axis=0)
+        return sums
 
     def running(self, values):
         """The sum of the values before each position on its own line."""
@@ -132,7 +135,7 @@ def correspondence(course, plane, lines, moved):
         return np.zeros(0)
     length = course.length[line]
     guess = share * length
-    offsets = np.linspace(-0.05, 0.05, 11)
+    offsets = np.linspace(-0.05, 0.05, 5)
     costs = np.empty((len(offsets), len(line)))
     for k, offset in enumerate(offsets):
         there = course.read(plane, course.find_along(line, guess + offset * length))

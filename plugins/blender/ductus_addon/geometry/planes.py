@@ -10,7 +10,6 @@ import numpy as np
 # Who looks at a line that has a plane of its own: from the front, a little from above and from the right, so that
 # lines on a table are seen from above and lines on a side wall from the right, as Blender's own views are.
 BEHIND = np.array([-0.2, 1.0, -0.5]) / np.linalg.norm([-0.2, 1.0, -0.5])
-DOWN = np.array([0.0, -0.1, -1.0]) / np.linalg.norm([0.0, -0.1, -1.0])
 
 FIXED = {
     "front": (np.array([1.0, 0, 0]), np.array([0, 0, -1.0])),
@@ -41,7 +40,7 @@ def stretch(matrix):
     return left @ right, right.T @ np.diag(sizes) @ right
 
 
-def best_fit(lines, points, behind=BEHIND, down=DOWN):
+def best_fit(lines, points, behind=BEHIND):
     """The plane nearest to each line, as seen from the side of who looks along `behind`.
 
     What a line leaves open (all of it for a point, a turn about itself for a straight line) is settled so that the
@@ -60,7 +59,7 @@ def best_fit(lines, points, behind=BEHIND, down=DOWN):
     _, vectors = np.linalg.eigh(spread / scale + 1e-9 * open_turn)
     away = vectors[:, :, 0]
     away = np.where((away @ behind < 0)[:, None], -away, away)
-    right, downward = axes_for(away, down)
+    right, downward = axes_for(away)
     height = np.abs((off * away[lines.line]).sum(axis=1))
     extent = np.sqrt((off**2).sum(axis=1))
     full = lines.last >= lines.first
@@ -72,8 +71,12 @@ def best_fit(lines, points, behind=BEHIND, down=DOWN):
     return right, downward, flatness
 
 
-def axes_for(away, down=DOWN):
-    """The axes right and down of planes that lie across the directions `away` (n x 3)."""
-    flat = down - (away @ down)[:, None] * away
+def axes_for(away):
+    """The axes right and down of planes that lie across the directions `away` (n x 3): down is -z, on planes that lie
+    flat (within some 25 degrees) more and more -y, as on a table."""
+    level = np.clip((np.abs(away[:, 2]) - 0.9) / 0.1, 0, 1)
+    level = level * level * (3 - 2 * level)
+    wish = np.stack((0 * level, -10 * level, -np.ones(len(away))), axis=1)
+    flat = wish - (away * wish).sum(axis=1, keepdims=True) * away
     downward = unit(flat, np.array([0.0, -1.0, 0.0]))
     return np.cross(downward, away), downward

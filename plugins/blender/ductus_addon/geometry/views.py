@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from .planes import DOWN, axes_for, unit
+from .planes import axes_for, unit
 
 
 def axes_from_view(view, turn):
@@ -16,5 +16,5 @@ def axes_from_view(view, turn):
 def axes_across(normal, turn):
     """The axes of the plane across a direction of the world, seen against that direction."""
     away = unit(-(np.asarray(turn).T @ np.asarray(normal, dtype=float)))
-    right, down = axes_for(away[None], DOWN)
+    right, down = axes_for(away[None])
     return right[0], down[0]
