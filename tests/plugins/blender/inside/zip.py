@@ -33,5 +33,7 @@ if step in ("install", "use"):
 else:
     bpy.ops.preferences.addon_disable(module="ductus_addon")
     assert not hasattr(bpy.types.Scene, "ductus")
-    bpy.ops.preferences.addon_remove(module="ductus_addon")
+    # It draws the preferences anew, and wants an area for that.
+    with bpy.context.temp_override(area=bpy.context.window_manager.windows[0].screen.areas[0]):
+        bpy.ops.preferences.addon_remove(module="ductus_addon")
 print(f"{step}: done")
