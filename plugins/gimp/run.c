@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A job from its lines to its result, without a dialog. If the user cancels at GIMP's progress bar, GIMP ends
+ * this process; as nothing has been put into the image until all is worked out, nothing is left behind. */
+#include "run.h"
+
+#include "brushes.h"
+#include "failure.h"
+#include "lines.h"
+
+#include <string.h>
+
+/* GIMP's bar, told no more often than it can be seen. */
+typedef struct bar {
+    double from, to;
+    gint64 told; /* microseconds */
+} bar;
+
+static bool tell(void *user, double fraction)
+{
+    bar *bar = user;
+    gint64 now = g_get_monotonic_time();
+    if (now - bar->told > 50000) {
+        bar->told = now;
+        gimp_progress_update(bar->from + (bar->to - bar->from) * fraction);
+    }
+    return true;
+}
+
+static duct_context context_of(bar *bar, double from, double to)
+{
+    bar->from = from;
+    bar->to = to;
+    duct_context context = duct_context_default();
+    context.progress = tell;
+    context.progress_user = bar;
+    return context;
+}
+
+duct_status plug_run_prepare(const job *job, work *work, duct_brush **brush, duct_error *error)
+{
+    memset(work, 0, sizeof *work);
+    *brush = NULL;
+    if (plug_option_paints(job->options)) {
+        duct_status status = plug_brush_load(duct_settings_text(job->options, OPTION_BRUSH), brush, error);
+        if (status != DUCT_OK) {
+            return status;
+        }
+    }
+    work->settings = job->settings;
+    work->brush = *brush;
+    work->paint = duct_paint_options_default();
+    work->paint.brush_size = plug_option_number(job->options, OPTION_SIZE, 0);
+    work->width = gimp_image_width(job->image);
+    work->height = gimp_image_height(job->image);
+    work->context = duct_context_default();
+    return DUCT_OK;
+}
+
+duct_status plug_run(const job *job, result *result, duct_error *error)
+{
+    work work;
+    duct_brush *brush = NULL;
+    duct_drawing *drawing = NULL;
+    bar bar = {0, 1, 0};
+    duct_status status = plug_result_check(job, error);
+    if (status == DUCT_OK) {
+        status = plug_run_prepare(job, &work, &brush, error);
+    }
+    if (status != DUCT_OK) {
+        return status;
+    }
+    gimp_progress_init(job->operation->label);
+    duct_context context = context_of(&bar, 0, 0.2);
+    status = plug_lines_read(job, &context, &drawing, error);
+    if (status == DUCT_OK) {
+        work.input = drawing;
+        work.context = context_of(&bar, 0.2, 0.9);
+        status = plug_work_run(&work);
+        *error = work.error;
+    }
+    if (status == DUCT_OK) {
+        context = context_of(&bar, 0.9, 1);
+        status = plug_result_commit(job, &context, &work, result, error);
+        plug_work_done(&work);
+    }
+    duct_drawing_free(drawing);
+    duct_brush_free(brush);
+    gimp_progress_end();
+    return status;
+}

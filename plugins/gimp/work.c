@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "work.h"
+
+#include "failure.h"
+
+#include <stddef.h>
+
+/* A share of a longer work's progress. */
+typedef struct share {
+    const duct_context *whole;
+    double from, to;
+} share;
+
+static bool report(void *user, double fraction)
+{
+    const share *part = user;
+    const duct_context *whole = part->whole;
+    return whole->progress == NULL ||
+           whole->progress(whole->progress_user, part->from + (part->to - part->from) * fraction);
+}
+
+static duct_status operate(work *work, double until)
+{
+    share part = {&work->context, 0, until};
+    duct_context context = work->context;
+    context.progress = report;
+    context.progress_user = &part;
+    return duct_operation_run(&context, work->settings, work->input, NULL, &work->output, &work->error);
+}
+
+static duct_status paint(work *work, double from)
+{
+    share part = {&work->context, from, 1};
+    size_t count = duct_drawing_stroke_count(work->output);
+    duct_status status =
+        duct_canvas_new(&work->context, work->width, work->height, &work->canvas, &work->error);
+    for (size_t i = 0; i < count && status == DUCT_OK; i++) {
+        if (!report(&part, (double)i / (double)count)) {
+            return plug_fail(&work->error, DUCT_CANCELLED, "cancelled");
+        }
+        status = duct_canvas_paint(work->canvas, work->brush, duct_drawing_stroke(work->output, i),
+                                   &work->paint, &work->error);
+    }
+    return status;
+}
+
+duct_status plug_work_run(work *work)
+{
+    const double split = work->brush != NULL ? 0.5 : 1;
+    work->output = NULL;
+    work->canvas = NULL;
+    duct_status status = operate(work, split);
+    if (status == DUCT_OK && work->brush != NULL) {
+        status = paint(work, split);
+    }
+    if (status != DUCT_OK) {
+        plug_work_done(work);
+    }
+    return status;
+}
+
+void plug_work_done(work *work)
+{
+    duct_drawing_free(work->output);
+    duct_canvas_free(work->canvas);
+    work->output = NULL;
+    work->canvas = NULL;
+}
