@@ -77,8 +77,14 @@ static double apart(const struct place *place, const duct_node *node)
     return hypot(place->x - node->x, place->y - node->y);
 }
 
-/* Appends an edge's pixels from one side to the other. Where the line runs on through a node, what is inside
- * the node's blot is left out: thinning bends lines there. */
+/* Whether a line ends at one that is much wider, into which thinning lets it run askew. */
+static bool is_blot(const duct_edge *edge, const duct_node *node)
+{
+    return node->degree >= 3 && node->radius > 1.5 * edge->radius + 1;
+}
+
+/* Appends an edge's pixels from one side to the other. Where the line runs on through a node, or ends at a
+ * wider line, what is inside the node's blot is left out: thinning bends lines there. */
 static void add_edge(struct writer *writer, const duct_edge *edge, int side)
 {
     size_t begin = writer->place_count;

@@ -159,7 +159,7 @@ static int count_of(const duct_operation *operation, const plug_variant *variant
     return count;
 }
 
-duct_status plug_arguments_read(job *job, const GimpParam *values, int count, GimpRunMode mode,
+duct_status plug_arguments_read(struct job *job, const GimpParam *values, int count, GimpRunMode mode,
                                 duct_error *error)
 {
     int expected = mode == GIMP_RUN_NONINTERACTIVE ? count_of(job->operation, job->variant) : FIRST;

@@ -13,7 +13,7 @@ void plug_arguments_free(GimpParamDef *arguments, int count);
 
 /* Fills a job's image, drawable and path from a call's arguments, and, where the call is not interactive, its
  * settings too. Errors: DUCT_BAD_ARGUMENT (their number is wrong), those of duct_settings_set(). */
-duct_status plug_arguments_read(job *job, const GimpParam *values, int count, GimpRunMode mode,
+duct_status plug_arguments_read(struct job *job, const GimpParam *values, int count, GimpRunMode mode,
                                 duct_error *error);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "clip.h"
 
-static void add(clip *clip, gint32 drawable, const char *format, bool in_image)
+static void add(struct clip *clip, gint32 drawable, const char *format, bool in_image)
 {
     int x = 0, y = 0;
     if (in_image) {
@@ -26,7 +26,7 @@ static gint32 layer_of(gint32 drawable)
     return gimp_item_is_layer(drawable) ? drawable : -1;
 }
 
-void plug_clip_init(clip *clip, const job *job)
+void plug_clip_init(struct clip *clip, const struct job *job)
 {
     clip->count = 0;
     if (!plug_option_bool(job->options, OPTION_CLIP)) {
@@ -52,7 +52,7 @@ void plug_clip_init(clip *clip, const job *job)
     }
 }
 
-void plug_clip_done(clip *clip)
+void plug_clip_done(struct clip *clip)
 {
     for (int i = 0; i < clip->count; i++) {
         g_object_unref(clip->parts[i].buffer);
@@ -60,7 +60,7 @@ void plug_clip_done(clip *clip)
     clip->count = 0;
 }
 
-void plug_clip_apply(const clip *clip, const GeglRectangle *area, double scale, float *mask)
+void plug_clip_apply(const struct clip *clip, const GeglRectangle *area, double scale, float *mask)
 {
     size_t count = (size_t)area->width * (size_t)area->height;
     if (clip->count == 0) {

@@ -8,20 +8,20 @@
 
 /* Where a job may paint: inside the selection, and on a new layer only where the active layer's locked alpha
  * and its mask would let paint through. */
-typedef struct clip {
+struct clip {
     struct {
         GeglBuffer *buffer;
         const Babl *format;
         int x, y; /* of the buffer in the image */
     } parts[3];
     int count; /* 0: anywhere */
-} clip;
+};
 
-void plug_clip_init(clip *clip, const job *job);
-void plug_clip_done(clip *clip);
+void plug_clip_init(struct clip *clip, const struct job *job);
+void plug_clip_done(struct clip *clip);
 
 /* Multiplies `mask` by how much paint each pixel takes, 0..1; `area` is in the pixels of the image times
  * `scale`. */
-void plug_clip_apply(const clip *clip, const GeglRectangle *area, double scale, float *mask);
+void plug_clip_apply(const struct clip *clip, const GeglRectangle *area, double scale, float *mask);
 
 #endif

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-duct_status plug_job_init(job *job, const duct_operation *operation, const plug_variant *variant,
+duct_status plug_job_init(struct job *job, const duct_operation *operation, const plug_variant *variant,
                           duct_error *error)
 {
     memset(job, 0, sizeof *job);
@@ -22,7 +22,7 @@ duct_status plug_job_init(job *job, const duct_operation *operation, const plug_
     return status;
 }
 
-void plug_job_done(job *job)
+void plug_job_done(struct job *job)
 {
     duct_settings_free(job->settings);
     duct_settings_free(job->options);
@@ -34,7 +34,7 @@ bool plug_job_fixed(const plug_variant *variant, const duct_param *param)
     return variant->lines != NULL && strcmp(param->id, OPTION_LINES) == 0;
 }
 
-duct_status plug_job_set(job *job, const char *param, const char *value, duct_error *error)
+duct_status plug_job_set(struct job *job, const char *param, const char *value, duct_error *error)
 {
     if (duct_settings_text(job->options, param) != NULL) {
         return duct_settings_set(job->options, param, value, error);
@@ -47,7 +47,7 @@ duct_status plug_job_set(job *job, const char *param, const char *value, duct_er
                      param, job->operation->id);
 }
 
-duct_status plug_job_read_text(job *job, const char *text, duct_error *error)
+duct_status plug_job_read_text(struct job *job, const char *text, duct_error *error)
 {
     char **pairs = g_strsplit_set(text, ";\n", -1);
     duct_status status = DUCT_OK;
@@ -78,7 +78,7 @@ static void write_values(GString *text, const duct_settings *settings)
     }
 }
 
-char *plug_job_write_text(const job *job)
+char *plug_job_write_text(const struct job *job)
 {
     GString *text = g_string_new(NULL);
     write_values(text, job->options);

@@ -6,7 +6,7 @@
 #include "procedures.h"
 
 /* One call of one of our procedures: what to do, to which image. */
-typedef struct job {
+struct job {
     const duct_operation *operation;
     const plug_variant *variant;
     duct_settings *settings; /* the operation's */
@@ -14,24 +14,24 @@ typedef struct job {
     gint32 image;
     gint32 drawable; /* -1: none */
     gint32 vectors;  /* -1: the active path */
-} job;
+};
 
 /* All values at their defaults, no image. */
-duct_status plug_job_init(job *job, const duct_operation *operation, const plug_variant *variant,
+duct_status plug_job_init(struct job *job, const duct_operation *operation, const plug_variant *variant,
                           duct_error *error);
-void plug_job_done(job *job);
+void plug_job_done(struct job *job);
 
 /* Sets the value of either table's parameter. */
-duct_status plug_job_set(job *job, const char *param, const char *value, duct_error *error);
+duct_status plug_job_set(struct job *job, const char *param, const char *value, duct_error *error);
 
 /* Whether the place in GIMP that was called from decides this parameter. */
 bool plug_job_fixed(const plug_variant *variant, const duct_param *param);
 
 /* Reads "name=value" pairs, parted by semicolons or line ends, spaces around them ignored; "preset" first, if
  * it is there, is as duct_settings_preset(). On failure some may have been set. */
-duct_status plug_job_read_text(job *job, const char *text, duct_error *error);
+duct_status plug_job_read_text(struct job *job, const char *text, duct_error *error);
 
 /* All values as such a text, a line each; free with g_free(). */
-char *plug_job_write_text(const job *job);
+char *plug_job_write_text(const struct job *job);
 
 #endif

@@ -9,15 +9,15 @@
 #include <string.h>
 
 /* The part of a layer that is read. */
-typedef struct source {
+struct source {
     GeglBuffer *buffer;
     GeglRectangle area; /* in the layer's pixels */
     bool by_alpha;      /* where it is transparent there is paper, whatever the colours */
     float *pixels;      /* of a strip */
     int room;           /* rows of it */
-} source;
+};
 
-static bool reserve(source *source, int rows, size_t channels)
+static bool reserve(struct source *source, int rows, size_t channels)
 {
     if (rows > source->room) {
         g_free(source->pixels);
@@ -29,7 +29,7 @@ static bool reserve(source *source, int rows, size_t channels)
 
 static bool read_rows(void *user, int y, int count, uint8_t *grey)
 {
-    source *source = user;
+    struct source *source = user;
     const GeglRectangle strip = {source->area.x, source->area.y + y, source->area.width, count};
     if (!reserve(source, count, 2)) {
         return false;
@@ -46,7 +46,7 @@ static bool read_rows(void *user, int y, int count, uint8_t *grey)
 }
 
 /* Whether the layer is transparent paper: then its ink may have any colour, white too. */
-static bool is_transparent(const source *source)
+static bool is_transparent(const struct source *source)
 {
     enum { side = 256 };
     double scale = MIN(1, (double)side / MAX(source->area.width, source->area.height));
@@ -65,7 +65,7 @@ static bool is_transparent(const source *source)
 }
 
 /* The mean colour of the pixels under a stroke, weighted by their alpha. */
-static void pick_colour(source *source, duct_stroke *stroke)
+static void pick_colour(struct source *source, duct_stroke *stroke)
 {
     enum { most = 64 };
     const double *x = duct_stroke_values(stroke, DUCT_X), *y = duct_stroke_values(stroke, DUCT_Y);
@@ -73,7 +73,8 @@ static void pick_colour(source *source, duct_stroke *stroke)
     double sum[4] = {0};
     for (size_t i = 0; i < size; i += step) {
         float pixel[4];
-        const GeglRectangle place = {source->area.x + (int)floor(x[i]), source->area.y + (int)floor(y[i]), 1, 1};
+        const GeglRectangle place = {source->area.x + (int)floor(x[i]), source->area.y + (int)floor(y[i]), 1,
+                                     1};
         gegl_buffer_get(source->buffer, &place, 1, babl_format("R'G'B'A float"), pixel, GEGL_AUTO_ROWSTRIDE,
                         GEGL_ABYSS_NONE);
         for (size_t k = 0; k < 3; k++) {
@@ -103,7 +104,7 @@ static duct_lineart_options options_of(const duct_settings *options)
 }
 
 /* Into the image's pixels, under the layer's name. */
-static duct_status settle(const source *source, gint32 drawable, duct_drawing *drawing, size_t first,
+static duct_status settle(const struct source *source, gint32 drawable, duct_drawing *drawing, size_t first,
                           duct_error *error)
 {
     int left = 0, top = 0;
@@ -125,13 +126,13 @@ static duct_status settle(const source *source, gint32 drawable, duct_drawing *d
     return status;
 }
 
-static duct_status trace(source *source, const job *job, const duct_context *context, duct_drawing *drawing,
-                         duct_error *error)
+static duct_status trace(struct source *source, const struct job *job, const duct_context *context,
+                         duct_drawing *drawing, duct_error *error)
 {
     size_t first = duct_drawing_stroke_count(drawing);
     const duct_lineart_options options = options_of(job->options);
-    duct_status status = duct_lineart_trace(context, source->area.width, source->area.height, read_rows, source,
-                                            &options, drawing, error);
+    duct_status status = duct_lineart_trace(context, source->area.width, source->area.height, read_rows,
+                                            source, &options, drawing, error);
     if (status == DUCT_OK && duct_drawing_stroke_count(drawing) == first) {
         return plug_fail(error, DUCT_UNSUPPORTED,
                          "no lines were found on the layer: choose a layer with lines on even paper, or set "
@@ -144,13 +145,13 @@ static duct_status trace(source *source, const job *job, const duct_context *con
     return status == DUCT_OK ? settle(source, job->drawable, drawing, first, error) : status;
 }
 
-duct_status plug_line_art_read(const job *job, const duct_context *context, duct_drawing *drawing,
+duct_status plug_line_art_read(const struct job *job, const duct_context *context, duct_drawing *drawing,
                                duct_error *error)
 {
     if (job->drawable <= 0 || !gimp_item_is_drawable(job->drawable)) {
         return plug_fail(error, DUCT_UNSUPPORTED, "there is no active layer to find lines on: choose one");
     }
-    source source = {NULL, {0, 0, 0, 0}, false, NULL, 0};
+    struct source source = {NULL, {0, 0, 0, 0}, false, NULL, 0};
     /* Gives the whole layer where nothing is selected. */
     if (!gimp_drawable_mask_intersect(job->drawable, &source.area.x, &source.area.y, &source.area.width,
                                       &source.area.height)) {

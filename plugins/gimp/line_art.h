@@ -4,10 +4,10 @@
 
 #include "job.h"
 
-/* Appends the lines that are drawn on the job's layer, inside the selection, with the mean colours of their pixels.
- * The pixels are read in strips. Errors: DUCT_UNSUPPORTED (no layer, or no lines on it), those of
+/* Appends the lines that are drawn on the job's layer, inside the selection, with the mean colours of their
+ * pixels. The pixels are read in strips. Errors: DUCT_UNSUPPORTED (no layer, or no lines on it), those of
  * duct_lineart_trace(). */
-duct_status plug_line_art_read(const job *job, const duct_context *context, duct_drawing *drawing,
+duct_status plug_line_art_read(const struct job *job, const duct_context *context, duct_drawing *drawing,
                                duct_error *error);
 
 #endif

@@ -6,7 +6,7 @@
 #include "outline.h"
 #include "paths.h"
 
-static duct_status read_path(const job *job, duct_drawing *drawing, duct_error *error)
+static duct_status read_path(const struct job *job, duct_drawing *drawing, duct_error *error)
 {
     gint32 vectors = job->vectors > 0 ? job->vectors : gimp_image_get_active_vectors(job->image);
     if (vectors <= 0) {
@@ -28,7 +28,7 @@ static duct_status read_path(const job *job, duct_drawing *drawing, duct_error *
 }
 
 /* From the lowest path up, as they cover one another. */
-static duct_status read_visible(const job *job, duct_drawing *drawing, duct_error *error)
+static duct_status read_visible(const struct job *job, duct_drawing *drawing, duct_error *error)
 {
     int count = 0;
     int *vectors = gimp_image_get_vectors(job->image, &count);
@@ -60,7 +60,7 @@ static void colour(duct_drawing *drawing)
     }
 }
 
-static duct_status read_lines(const job *job, const duct_context *context, duct_drawing *drawing,
+static duct_status read_lines(const struct job *job, const duct_context *context, duct_drawing *drawing,
                               duct_error *error)
 {
     if (plug_option_is(job->options, OPTION_LINES, LINES_PATH)) {
@@ -75,7 +75,7 @@ static duct_status read_lines(const job *job, const duct_context *context, duct_
     return plug_line_art_read(job, context, drawing, error);
 }
 
-duct_status plug_lines_read(const job *job, const duct_context *context, duct_drawing **drawing,
+duct_status plug_lines_read(const struct job *job, const duct_context *context, duct_drawing **drawing,
                             duct_error *error)
 {
     duct_drawing *made = NULL;

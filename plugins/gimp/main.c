@@ -13,7 +13,7 @@ static void query(void)
     plug_procedures_install();
 }
 
-static duct_status run_job(job *job, GimpRunMode mode, result *result, duct_error *error)
+static duct_status run_job(struct job *job, GimpRunMode mode, struct result *result, duct_error *error)
 {
     switch (mode) {
     case GIMP_RUN_INTERACTIVE:
@@ -30,7 +30,7 @@ static duct_status run_job(job *job, GimpRunMode mode, result *result, duct_erro
     return plug_run(job, result, error);
 }
 
-static duct_status run_call(const char *name, int count, const GimpParam *values, result *result,
+static duct_status run_call(const char *name, int count, const GimpParam *values, struct result *result,
                             duct_error *error)
 {
     const duct_operation *operation;
@@ -40,7 +40,7 @@ static duct_status run_call(const char *name, int count, const GimpParam *values
                          "this is no procedure of Ductus, or was called without image");
     }
     GimpRunMode mode = (GimpRunMode)values[0].data.d_int32;
-    job job;
+    struct job job;
     duct_status status = plug_job_init(&job, operation, variant, error);
     if (status == DUCT_OK) {
         status = plug_arguments_read(&job, values, count, mode, error);
@@ -66,7 +66,7 @@ static void run(const gchar *name, gint count, const GimpParam *values, gint *an
     static GimpParam answer[4];
     static char *message;
     duct_error error = {DUCT_OK, ""};
-    result result = {-1, NULL};
+    struct result result = {-1, NULL};
     duct_status status = run_call(name, count, values, &result, &error);
     memset(answer, 0, sizeof answer);
     answer[0].type = GIMP_PDB_STATUS;

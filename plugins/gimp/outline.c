@@ -8,7 +8,7 @@
 static bool copy_selection(gint32 image, const GeglRectangle *box, gint32 scratch)
 {
     const GimpRGB any = {1, 1, 1, 1};
-    gint32 channel = gimp_channel_new(scratch, "selection", box->width, box->height, 100, &any);
+    gint32 channel = gimp_channel_new(scratch, "selection", (guint)box->width, (guint)box->height, 100, &any);
     if (!gimp_image_insert_channel(scratch, channel, 0, 0)) {
         return false;
     }

@@ -8,15 +8,15 @@
 enum { PIXELS = DUCT_TILE_SIZE * DUCT_TILE_SIZE };
 
 /* One tile of the canvas on its way into the layer. */
-typedef struct tile {
+struct tile {
     GeglRectangle area;
     float mask[PIXELS];
     float pixels[PIXELS * 4]; /* premultiplied, sRGB-encoded */
-} tile;
+};
 
 /* Canvas rows are always whole tiles; at the image's edge the area is narrower. False where nothing is left.
  */
-static bool fill(tile *tile, const uint16_t *painted, const clip *clip)
+static bool fill(struct tile *tile, const uint16_t *painted, const struct clip *clip)
 {
     const float one = 1 << 15;
     const size_t width = (size_t)tile->area.width, height = (size_t)tile->area.height;
@@ -39,12 +39,12 @@ static bool fill(tile *tile, const uint16_t *painted, const clip *clip)
     return any;
 }
 
-static duct_status copy_tiles(const duct_context *context, const duct_canvas *canvas, const clip *clip,
+static duct_status copy_tiles(const duct_context *context, const duct_canvas *canvas, const struct clip *clip,
                               GeglBuffer *buffer, size_t *count, duct_error *error)
 {
     const int width = duct_canvas_width(canvas), height = duct_canvas_height(canvas);
     const Babl *format = babl_format("R'aG'aB'aA float");
-    tile *tile = g_new(struct tile, 1);
+    struct tile *tile = g_new(struct tile, 1);
     duct_status status = DUCT_OK;
     *count = 0;
     for (int y = 0; y < height && status == DUCT_OK; y += DUCT_TILE_SIZE) {
@@ -65,8 +65,8 @@ static duct_status copy_tiles(const duct_context *context, const duct_canvas *ca
     return status;
 }
 
-duct_status plug_paint_layer(const job *job, const duct_context *context, const duct_canvas *canvas,
-                             const clip *clip, gint32 *layer, duct_error *error)
+duct_status plug_paint_layer(const struct job *job, const duct_context *context, const duct_canvas *canvas,
+                             const struct clip *clip, gint32 *layer, duct_error *error)
 {
     bool grey = gimp_image_base_type(job->image) == GIMP_GRAY;
     gint32 made =

@@ -10,7 +10,7 @@
  * it, one by one, where `clip` lets paint through. Colours are sRGB in the canvas and become the image's own;
  * a grey image gets their luminance. `*layer` is then the caller's to insert or delete. Errors:
  * DUCT_UNSUPPORTED (nothing was painted, or GIMP failed), DUCT_CANCELLED. */
-duct_status plug_paint_layer(const job *job, const duct_context *context, const duct_canvas *canvas,
-                             const clip *clip, gint32 *layer, duct_error *error);
+duct_status plug_paint_layer(const struct job *job, const duct_context *context, const duct_canvas *canvas,
+                             const struct clip *clip, gint32 *layer, duct_error *error);
 
 #endif

@@ -8,11 +8,11 @@
 static const double flatten_tolerance = 0.05;
 
 /* GIMP's strokes are triplets: the control before a node, the node, and the control behind it. */
-typedef struct triplets {
+struct triplets {
     const double *values; /* 6 a node */
     size_t nodes;
     bool closed;
-} triplets;
+};
 
 static void add_curve(duct_path *path, const double *from, const double *to)
 {
@@ -24,7 +24,7 @@ static void add_curve(duct_path *path, const double *from, const double *to)
     }
 }
 
-static void add_triplets(duct_path *path, const triplets *stroke)
+static void add_triplets(duct_path *path, const struct triplets *stroke)
 {
     duct_path_move(path, stroke->values[2], stroke->values[3]);
     for (size_t i = 1; i < stroke->nodes; i++) {
@@ -47,7 +47,7 @@ static void read_strokes(gint32 vectors, duct_path *path)
         GimpVectorsStrokeType type =
             gimp_vectors_stroke_get_points(vectors, strokes[i], &numbers, &points, &closed);
         if (type == GIMP_VECTORS_STROKE_TYPE_BEZIER && numbers >= 6) {
-            const triplets stroke = {points, (size_t)numbers / 6, closed != FALSE};
+            const struct triplets stroke = {points, (size_t)numbers / 6, closed != FALSE};
             add_triplets(path, &stroke);
         }
         g_free(points);
@@ -75,18 +75,18 @@ duct_status plug_paths_read(gint32 vectors, const char *name, duct_drawing *draw
 }
 
 /* A growing list of triplets for one subpath. */
-typedef struct writer {
+struct writer {
     GArray *values; /* double */
     bool closed;
-} writer;
+};
 
-static void node(writer *to, double in_x, double in_y, double x, double y)
+static void node(struct writer *to, double in_x, double in_y, double x, double y)
 {
     const double six[6] = {in_x, in_y, x, y, x, y};
     g_array_append_vals(to->values, six, 6);
 }
 
-static void turn_last_out(writer *to, double x, double y)
+static void turn_last_out(struct writer *to, double x, double y)
 {
     double *last = (double *)(void *)to->values->data + to->values->len - 6;
     last[4] = x;
@@ -94,7 +94,7 @@ static void turn_last_out(writer *to, double x, double y)
 }
 
 /* The node that closes a line lies on its first one, which takes over what leads there. */
-static void join_ends(writer *to)
+static void join_ends(struct writer *to)
 {
     double *first = (double *)(void *)to->values->data;
     double *last = first + to->values->len - 6;
@@ -106,7 +106,7 @@ static void join_ends(writer *to)
     }
 }
 
-static void collect(writer *to, const duct_path *path)
+static void collect(struct writer *to, const duct_path *path)
 {
     size_t verb_count = 0, point_count = 0;
     const unsigned char *verbs = duct_path_verbs(path, &verb_count);
@@ -138,7 +138,7 @@ static duct_status add_stroke(gint32 vectors, const duct_stroke *stroke, double 
     if (status != DUCT_OK || duct_path_nodes(path) == 0) {
         return status;
     }
-    writer to = {g_array_new(FALSE, FALSE, sizeof(double)), false};
+    struct writer to = {g_array_new(FALSE, FALSE, sizeof(double)), false};
     collect(&to, path);
     int id =
         gimp_vectors_stroke_new_from_points(vectors, GIMP_VECTORS_STROKE_TYPE_BEZIER, (int)to.values->len,

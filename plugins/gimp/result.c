@@ -11,7 +11,7 @@ static char *name_of(gint32 item)
     return name != NULL ? name : g_strdup("");
 }
 
-static duct_status check_active(const job *job, duct_error *error)
+static duct_status check_active(const struct job *job, duct_error *error)
 {
     if (job->drawable <= 0 || !gimp_item_is_drawable(job->drawable)) {
         return plug_fail(
@@ -37,7 +37,7 @@ static duct_status check_active(const job *job, duct_error *error)
     return status;
 }
 
-duct_status plug_result_check(const job *job, duct_error *error)
+duct_status plug_result_check(const struct job *job, duct_error *error)
 {
     if (!gimp_image_is_valid(job->image)) {
         return plug_fail(error, DUCT_BAD_ARGUMENT, "there is no image of that number");
@@ -59,7 +59,7 @@ duct_status plug_result_check(const job *job, duct_error *error)
 }
 
 /* The layer that new layers go above: the active one, or that whose mask is active; -1: the topmost. */
-static gint32 layer_below(const job *job)
+static gint32 layer_below(const struct job *job)
 {
     if (job->drawable > 0 && gimp_item_is_layer_mask(job->drawable)) {
         return gimp_layer_from_mask(job->drawable);
@@ -68,7 +68,7 @@ static gint32 layer_below(const job *job)
                                                                   : gimp_image_get_active_layer(job->image);
 }
 
-static bool insert_layer(const job *job, gint32 layer)
+static bool insert_layer(const struct job *job, gint32 layer)
 {
     gint32 below = layer_below(job);
     gint32 parent = below > 0 ? gimp_item_get_parent(below) : -1;
@@ -85,12 +85,12 @@ static bool insert_layer(const job *job, gint32 layer)
 
 /* GIMP itself lays a floating selection down: with mode and opacity, in the layer's precision, minding its
  * alpha lock. */
-static bool lay_down(const job *job, gint32 layer)
+static bool lay_down(const struct job *job, gint32 layer)
 {
     return gimp_floating_sel_attach(layer, job->drawable) && gimp_floating_sel_anchor(layer);
 }
 
-static bool insert_paths(const job *job, const GArray *paths)
+static bool insert_paths(const struct job *job, const GArray *paths)
 {
     bool done = true;
     for (guint i = 0; i < paths->len && done; i++) {
@@ -101,7 +101,7 @@ static bool insert_paths(const job *job, const GArray *paths)
     return done;
 }
 
-static duct_status insert_all(const job *job, const result *result, duct_error *error)
+static duct_status insert_all(const struct job *job, const struct result *result, duct_error *error)
 {
     bool onto = plug_option_is(job->options, OPTION_RESULT, RESULT_ONTO);
     duct_status status = DUCT_OK;
@@ -116,7 +116,7 @@ static duct_status insert_all(const job *job, const result *result, duct_error *
     return status;
 }
 
-static void forget(result *result)
+static void forget(struct result *result)
 {
     if (result->layer > 0 && gimp_item_is_valid(result->layer)) {
         gimp_item_delete(result->layer);
@@ -127,8 +127,8 @@ static void forget(result *result)
     plug_result_done(result);
 }
 
-duct_status plug_result_commit(const job *job, const duct_context *context, const work *work, result *result,
-                               duct_error *error)
+duct_status plug_result_commit(const struct job *job, const duct_context *context, const struct work *work,
+                               struct result *result, duct_error *error)
 {
     result->layer = -1;
     result->paths = NULL;
@@ -139,7 +139,7 @@ duct_status plug_result_commit(const job *job, const duct_context *context, cons
                             plug_option_number(job->options, OPTION_TOLERANCE, 0.5), &result->paths, error);
     }
     if (status == DUCT_OK && work->canvas != NULL) {
-        clip clip;
+        struct clip clip;
         plug_clip_init(&clip, job);
         status = plug_paint_layer(job, context, work->canvas, &clip, &result->layer, error);
         plug_clip_done(&clip);
@@ -156,7 +156,7 @@ duct_status plug_result_commit(const job *job, const duct_context *context, cons
     return status;
 }
 
-void plug_result_done(result *result)
+void plug_result_done(struct result *result)
 {
     if (result->paths != NULL) {
         g_array_free(result->paths, TRUE);

@@ -10,14 +10,14 @@
 #include <string.h>
 
 /* GIMP's bar, told no more often than it can be seen. */
-typedef struct bar {
+struct bar {
     double from, to;
     gint64 told; /* microseconds */
-} bar;
+};
 
 static bool tell(void *user, double fraction)
 {
-    bar *bar = user;
+    struct bar *bar = user;
     gint64 now = g_get_monotonic_time();
     if (now - bar->told > 50000) {
         bar->told = now;
@@ -26,7 +26,7 @@ static bool tell(void *user, double fraction)
     return true;
 }
 
-static duct_context context_of(bar *bar, double from, double to)
+static duct_context context_of(struct bar *bar, double from, double to)
 {
     bar->from = from;
     bar->to = to;
@@ -36,7 +36,7 @@ static duct_context context_of(bar *bar, double from, double to)
     return context;
 }
 
-duct_status plug_run_prepare(const job *job, work *work, duct_brush **brush, duct_error *error)
+duct_status plug_run_prepare(const struct job *job, struct work *work, duct_brush **brush, duct_error *error)
 {
     memset(work, 0, sizeof *work);
     *brush = NULL;
@@ -56,12 +56,12 @@ duct_status plug_run_prepare(const job *job, work *work, duct_brush **brush, duc
     return DUCT_OK;
 }
 
-duct_status plug_run(const job *job, result *result, duct_error *error)
+duct_status plug_run(const struct job *job, struct result *result, duct_error *error)
 {
-    work work;
+    struct work work;
     duct_brush *brush = NULL;
     duct_drawing *drawing = NULL;
-    bar bar = {0, 1, 0};
+    struct bar bar = {0, 1, 0};
     duct_status status = plug_result_check(job, error);
     if (status == DUCT_OK) {
         status = plug_run_prepare(job, &work, &brush, error);

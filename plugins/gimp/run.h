@@ -7,9 +7,9 @@
 /* Sets up a work for the job's image: brush, place and size of what is painted, at `scale` times the image's
  * size.
  * `*brush` is the caller's to free after the work, and NULL where nothing is painted. */
-duct_status plug_run_prepare(const job *job, work *work, duct_brush **brush, duct_error *error);
+duct_status plug_run_prepare(const struct job *job, struct work *work, duct_brush **brush, duct_error *error);
 
 /* The whole job, with GIMP's own progress bar. */
-duct_status plug_run(const job *job, result *result, duct_error *error);
+duct_status plug_run(const struct job *job, struct result *result, duct_error *error);
 
 #endif

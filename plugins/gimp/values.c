@@ -14,7 +14,7 @@ static char *file_of(const char *procedure)
     return path;
 }
 
-static void read_values(job *job, const char *text)
+static void read_values(struct job *job, const char *text)
 {
     char **values = g_strsplit(text, "\n", -1);
     for (char **value = values; *value != NULL; value++) {
@@ -24,7 +24,7 @@ static void read_values(job *job, const char *text)
     g_strfreev(values);
 }
 
-void plug_values_load(job *job)
+void plug_values_load(struct job *job)
 {
     char name[PLUG_NAME_SIZE];
     plug_procedure_name(job->operation, job->variant, name, sizeof name);
@@ -48,7 +48,7 @@ void plug_values_load(job *job)
     }
 }
 
-void plug_values_keep(const job *job)
+void plug_values_keep(const struct job *job)
 {
     char name[PLUG_NAME_SIZE];
     plug_procedure_name(job->operation, job->variant, name, sizeof name);
@@ -65,7 +65,7 @@ void plug_values_keep(const job *job)
     g_free(text);
 }
 
-void plug_values_first(job *job)
+void plug_values_first(struct job *job)
 {
     duct_hand *hands = NULL;
     size_t count = 0;

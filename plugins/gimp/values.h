@@ -8,10 +8,10 @@
  * GIMP folder from one run of GIMP to the next. */
 
 /* Sets what was kept; values that no longer fit the table stay at their defaults. */
-void plug_values_load(job *job);
-void plug_values_keep(const job *job);
+void plug_values_load(struct job *job);
+void plug_values_keep(const struct job *job);
 
 /* Gives a job the values that a user starts from: parameters that have to be given get the first there is. */
-void plug_values_first(job *job);
+void plug_values_first(struct job *job);
 
 #endif

@@ -6,31 +6,31 @@
 #include <stddef.h>
 
 /* A share of a longer work's progress. */
-typedef struct share {
+struct share {
     const duct_context *whole;
     double from, to;
-} share;
+};
 
 static bool report(void *user, double fraction)
 {
-    const share *part = user;
+    const struct share *part = user;
     const duct_context *whole = part->whole;
     return whole->progress == NULL ||
            whole->progress(whole->progress_user, part->from + (part->to - part->from) * fraction);
 }
 
-static duct_status operate(work *work, double until)
+static duct_status operate(struct work *work, double until)
 {
-    share part = {&work->context, 0, until};
+    struct share part = {&work->context, 0, until};
     duct_context context = work->context;
     context.progress = report;
     context.progress_user = &part;
     return duct_operation_run(&context, work->settings, work->input, NULL, &work->output, &work->error);
 }
 
-static duct_status paint(work *work, double from)
+static duct_status paint(struct work *work, double from)
 {
-    share part = {&work->context, from, 1};
+    struct share part = {&work->context, from, 1};
     size_t count = duct_drawing_stroke_count(work->output);
     duct_status status =
         duct_canvas_new(&work->context, work->width, work->height, &work->canvas, &work->error);
@@ -44,7 +44,7 @@ static duct_status paint(work *work, double from)
     return status;
 }
 
-duct_status plug_work_run(work *work)
+duct_status plug_work_run(struct work *work)
 {
     const double split = work->brush != NULL ? 0.5 : 1;
     work->output = NULL;
@@ -59,7 +59,7 @@ duct_status plug_work_run(work *work)
     return status;
 }
 
-void plug_work_done(work *work)
+void plug_work_done(struct work *work)
 {
     duct_drawing_free(work->output);
     duct_canvas_free(work->canvas);

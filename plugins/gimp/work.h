@@ -7,7 +7,7 @@
 
 /* The part of a job that needs no GIMP, and so may run on another thread: the operation, and painting what it
  * gives on a canvas. */
-typedef struct work {
+struct work {
     const duct_settings *settings;
     const duct_drawing *input;
     const duct_brush *brush; /* NULL: nothing is painted */
@@ -18,12 +18,12 @@ typedef struct work {
     duct_drawing *output; /* the results; NULL where it failed */
     duct_canvas *canvas;
     duct_error error;
-} work;
+};
 
 /* Progress goes through the context from 0 to 1. */
-duct_status plug_work_run(work *work);
+duct_status plug_work_run(struct work *work);
 
 /* Frees the results. */
-void plug_work_done(work *work);
+void plug_work_done(struct work *work);
 
 #endif
