@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "clip.h"
 
-static void add(struct clip *clip, gint32 drawable, const char *format, bool in_image)
+static void add(struct clip *clip, gint32 drawable, bool alpha, bool in_image)
 {
     int x = 0, y = 0;
     if (in_image) {
         gimp_drawable_offsets(drawable, &x, &y);
     }
     clip->parts[clip->count].buffer = gimp_drawable_get_buffer(drawable);
-    clip->parts[clip->count].format = babl_format(format);
+    /* babl has no format of alpha alone. */
+    clip->parts[clip->count].alpha = alpha;
+    clip->parts[clip->count].format = babl_format(alpha ? "YA float" : "Y float");
     clip->parts[clip->count].x = x;
     clip->parts[clip->count].y = y;
     clip->count++;
@@ -35,7 +37,7 @@ void plug_clip_init(struct clip *clip, const struct job *job)
     /* As GIMP's own: a stroke along the selection's outline is not cut in half by the selection. */
     if (!plug_option_is(job->options, OPTION_LINES, LINES_SELECTION) &&
         !gimp_selection_is_empty(job->image)) {
-        add(clip, gimp_image_get_selection(job->image), "Y float", false);
+        add(clip, gimp_image_get_selection(job->image), false, false);
     }
     /* On the active layer itself GIMP sees to the rest. */
     gint32 layer = layer_of(job->drawable);
@@ -43,11 +45,11 @@ void plug_clip_init(struct clip *clip, const struct job *job)
         return;
     }
     if (gimp_layer_get_lock_alpha(layer) && gimp_drawable_has_alpha(layer)) {
-        add(clip, layer, "A float", true);
+        add(clip, layer, true, true);
     }
     gint32 mask = gimp_layer_get_mask(layer);
     if (mask > 0 && gimp_layer_get_apply_mask(layer)) {
-        add(clip, mask, "Y float", true);
+        add(clip, mask, false, true);
         gimp_drawable_offsets(layer, &clip->parts[clip->count - 1].x, &clip->parts[clip->count - 1].y);
     }
 }
@@ -66,7 +68,7 @@ void plug_clip_apply(const struct clip *clip, const GeglRectangle *area, double 
     if (clip->count == 0) {
         return;
     }
-    float *part = g_new(float, count);
+    float *part = g_new(float, 2 * count);
     for (int i = 0; i < clip->count; i++) {
         GeglRectangle box = *area;
         box.x -= (int)(clip->parts[i].x * scale);
@@ -74,7 +76,8 @@ void plug_clip_apply(const struct clip *clip, const GeglRectangle *area, double 
         gegl_buffer_get(clip->parts[i].buffer, &box, scale, clip->parts[i].format, part, GEGL_AUTO_ROWSTRIDE,
                         GEGL_ABYSS_NONE);
         for (size_t k = 0; k < count; k++) {
-            mask[k] *= CLAMP(part[k], 0, 1);
+            float share = clip->parts[i].alpha ? part[2 * k + 1] : part[k];
+            mask[k] *= CLAMP(share, 0, 1);
         }
     }
     g_free(part);

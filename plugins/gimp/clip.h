@@ -12,7 +12,8 @@ struct clip {
     struct {
         GeglBuffer *buffer;
         const Babl *format;
-        int x, y; /* of the buffer in the image */
+        bool alpha; /* it is the second of two channels that counts */
+        int x, y;   /* of the buffer in the image */
     } parts[3];
     int count; /* 0: anywhere */
 };

@@ -2,9 +2,10 @@
 #include "lines.h"
 
 #include "failure.h"
-#include "line_art.h"
 #include "outline.h"
 #include "paths.h"
+
+#include <string.h>
 
 static duct_status read_path(const struct job *job, duct_drawing *drawing, duct_error *error)
 {
@@ -46,53 +47,61 @@ static duct_status read_visible(const struct job *job, duct_drawing *drawing, du
     return status;
 }
 
-static void colour(duct_drawing *drawing)
+static void colour(duct_drawing *drawing, const GimpRGB *chosen)
 {
-    GimpRGB foreground;
-    gimp_context_get_foreground(&foreground);
     for (size_t i = 0; i < duct_drawing_stroke_count(drawing); i++) {
         duct_stroke *stroke = duct_drawing_edit_stroke(drawing, i);
         duct_stroke_style style = duct_stroke_get_style(stroke);
-        style.red = (float)CLAMP(foreground.r, 0, 1);
-        style.green = (float)CLAMP(foreground.g, 0, 1);
-        style.blue = (float)CLAMP(foreground.b, 0, 1);
+        style.red = (float)CLAMP(chosen->r, 0, 1);
+        style.green = (float)CLAMP(chosen->g, 0, 1);
+        style.blue = (float)CLAMP(chosen->b, 0, 1);
         duct_stroke_set_style(stroke, style);
     }
 }
 
-static duct_status read_lines(const struct job *job, const duct_context *context, duct_drawing *drawing,
-                              duct_error *error)
-{
-    if (plug_option_is(job->options, OPTION_LINES, LINES_PATH)) {
-        return read_path(job, drawing, error);
-    }
-    if (plug_option_is(job->options, OPTION_LINES, LINES_VISIBLE)) {
-        return read_visible(job, drawing, error);
-    }
-    if (plug_option_is(job->options, OPTION_LINES, LINES_SELECTION)) {
-        return plug_outline_read(job->image, drawing, error);
-    }
-    return plug_line_art_read(job, context, drawing, error);
-}
-
-duct_status plug_lines_read(const struct job *job, const duct_context *context, duct_drawing **drawing,
+duct_status plug_lines_open(const struct job *job, plug_hold hold, void *user, struct lines *lines,
                             duct_error *error)
 {
-    duct_drawing *made = NULL;
-    duct_status status = duct_drawing_new(NULL, &made, error);
+    memset(lines, 0, sizeof *lines);
+    duct_status status = duct_drawing_new(NULL, &lines->drawing, error);
     if (status != DUCT_OK) {
         return status;
     }
-    duct_drawing_set_page(made, gimp_image_width(job->image), gimp_image_height(job->image));
-    status = read_lines(job, context, made, error);
+    duct_drawing_set_page(lines->drawing, gimp_image_width(job->image), gimp_image_height(job->image));
+    gimp_context_get_foreground(&lines->colour);
+    lines->coloured = true;
+    if (plug_option_is(job->options, OPTION_LINES, LINES_PATH)) {
+        status = read_path(job, lines->drawing, error);
+    } else if (plug_option_is(job->options, OPTION_LINES, LINES_VISIBLE)) {
+        status = read_visible(job, lines->drawing, error);
+    } else if (plug_option_is(job->options, OPTION_LINES, LINES_SELECTION)) {
+        status = plug_outline_read(job->image, lines->drawing, error);
+    } else {
+        lines->coloured = plug_option_is(job->options, OPTION_COLOUR, "foreground");
+        status = plug_line_art_open(job, hold, user, &lines->art, error);
+    }
     if (status != DUCT_OK) {
-        duct_drawing_free(made);
-        return status;
+        plug_lines_close(lines);
     }
-    if (!plug_option_is(job->options, OPTION_LINES, LINES_ART) ||
-        plug_option_is(job->options, OPTION_COLOUR, "foreground")) {
-        colour(made);
+    return status;
+}
+
+duct_status plug_lines_find(struct lines *lines, const duct_context *context, duct_error *error)
+{
+    duct_status status = DUCT_OK;
+    if (lines->art != NULL && duct_drawing_stroke_count(lines->drawing) == 0) {
+        status = plug_line_art_trace(lines->art, context, lines->drawing, error);
     }
-    *drawing = made;
-    return DUCT_OK;
+    if (status == DUCT_OK && lines->coloured) {
+        colour(lines->drawing, &lines->colour);
+    }
+    return status;
+}
+
+void plug_lines_close(struct lines *lines)
+{
+    duct_drawing_free(lines->drawing);
+    plug_line_art_close(lines->art);
+    lines->drawing = NULL;
+    lines->art = NULL;
 }

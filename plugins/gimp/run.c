@@ -36,6 +36,16 @@ static duct_context context_of(struct bar *bar, double from, double to)
     return context;
 }
 
+duct_paint_options plug_run_paint_options(const struct job *job, double scale, double x, double y)
+{
+    duct_paint_options options = duct_paint_options_default();
+    options.scale = scale;
+    options.offset_x = -x * scale;
+    options.offset_y = -y * scale;
+    options.brush_size = plug_option_number(job->options, OPTION_SIZE, 0);
+    return options;
+}
+
 duct_status plug_run_prepare(const struct job *job, struct work *work, duct_brush **brush, duct_error *error)
 {
     memset(work, 0, sizeof *work);
@@ -48,8 +58,7 @@ duct_status plug_run_prepare(const struct job *job, struct work *work, duct_brus
     }
     work->settings = job->settings;
     work->brush = *brush;
-    work->paint = duct_paint_options_default();
-    work->paint.brush_size = plug_option_number(job->options, OPTION_SIZE, 0);
+    work->paint = plug_run_paint_options(job, 1, 0, 0);
     work->width = gimp_image_width(job->image);
     work->height = gimp_image_height(job->image);
     work->context = duct_context_default();
@@ -60,7 +69,7 @@ duct_status plug_run(const struct job *job, struct result *result, duct_error *e
 {
     struct work work;
     duct_brush *brush = NULL;
-    duct_drawing *drawing = NULL;
+    struct lines lines = {0};
     struct bar bar = {0, 1, 0};
     duct_status status = plug_result_check(job, error);
     if (status == DUCT_OK) {
@@ -71,9 +80,12 @@ duct_status plug_run(const struct job *job, struct result *result, duct_error *e
     }
     gimp_progress_init(job->operation->label);
     duct_context context = context_of(&bar, 0, 0.2);
-    status = plug_lines_read(job, &context, &drawing, error);
+    status = plug_lines_open(job, NULL, NULL, &lines, error);
     if (status == DUCT_OK) {
-        work.input = drawing;
+        status = plug_lines_find(&lines, &context, error);
+    }
+    if (status == DUCT_OK) {
+        work.input = lines.drawing;
         work.context = context_of(&bar, 0.2, 0.9);
         status = plug_work_run(&work);
         *error = work.error;
@@ -83,7 +95,7 @@ duct_status plug_run(const struct job *job, struct result *result, duct_error *e
         status = plug_result_commit(job, &context, &work, result, error);
         plug_work_done(&work);
     }
-    duct_drawing_free(drawing);
+    plug_lines_close(&lines);
     duct_brush_free(brush);
     gimp_progress_end();
     return status;

@@ -31,25 +31,26 @@ static duct_status operate(struct work *work, double until)
 static duct_status paint(struct work *work, double from)
 {
     struct share part = {&work->context, from, 1};
-    size_t count = duct_drawing_stroke_count(work->output);
+    const duct_drawing *drawing = work->known != NULL ? work->known : work->output;
+    size_t count = duct_drawing_stroke_count(drawing);
     duct_status status =
         duct_canvas_new(&work->context, work->width, work->height, &work->canvas, &work->error);
     for (size_t i = 0; i < count && status == DUCT_OK; i++) {
         if (!report(&part, (double)i / (double)count)) {
             return plug_fail(&work->error, DUCT_CANCELLED, "cancelled");
         }
-        status = duct_canvas_paint(work->canvas, work->brush, duct_drawing_stroke(work->output, i),
-                                   &work->paint, &work->error);
+        status = duct_canvas_paint(work->canvas, work->brush, duct_drawing_stroke(drawing, i), &work->paint,
+                                   &work->error);
     }
     return status;
 }
 
 duct_status plug_work_run(struct work *work)
 {
-    const double split = work->brush != NULL ? 0.5 : 1;
+    const double split = work->known != NULL ? 0 : work->brush != NULL ? 0.5 : 1;
     work->output = NULL;
     work->canvas = NULL;
-    duct_status status = operate(work, split);
+    duct_status status = work->known != NULL ? DUCT_OK : operate(work, split);
     if (status == DUCT_OK && work->brush != NULL) {
         status = paint(work, split);
     }

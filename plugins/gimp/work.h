@@ -14,8 +14,9 @@ struct work {
     duct_paint_options paint;
     int width, height; /* of the canvas */
     duct_context context;
+    const duct_drawing *known; /* what the operation gave before; NULL: it is run */
 
-    duct_drawing *output; /* the results; NULL where it failed */
+    duct_drawing *output; /* the results; NULL where it failed, or was known */
     duct_canvas *canvas;
     duct_error error;
 };
