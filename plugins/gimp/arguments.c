@@ -80,7 +80,9 @@ static void add_table(GArray *list, const duct_operation *table, const plug_vari
     for (size_t i = 0; i < table->param_count; i++) {
         const duct_param *param = &table->params[i];
         if (!plug_job_fixed(variant, param)) {
-            add(list, type_of(param), param->id, describe(param));
+            char name[PLUG_NAME_SIZE];
+            plug_job_name(table, param, name, sizeof name);
+            add(list, type_of(param), name, describe(param));
         }
     }
 }

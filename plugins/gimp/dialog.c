@@ -23,11 +23,42 @@ struct dialog {
     bool stop; /* the work was cancelled */
 };
 
+static bool same(const duct_settings *a, const duct_settings *b)
+{
+    const duct_operation *table = duct_settings_operation(a);
+    for (size_t i = 0; i < table->param_count; i++) {
+        const char *id = table->params[i].id;
+        if (strcmp(duct_settings_text(a, id), duct_settings_text(b, id)) != 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Shows the preset whose values are set, if there is one. */
+static void show_preset(struct dialog *dialog)
+{
+    const duct_operation *operation = dialog->job->operation;
+    int found = -1;
+    for (size_t i = 0; i < operation->preset_count && found < 0; i++) {
+        duct_error error;
+        duct_settings *preset = plug_settings_copy(dialog->job->settings);
+        if (preset != NULL && duct_settings_preset(preset, operation->presets[i].id, &error) == DUCT_OK &&
+            same(preset, dialog->job->settings)) {
+            found = (int)i;
+        }
+        duct_settings_free(preset);
+    }
+    dialog->setting = true;
+    gtk_combo_box_set_active(GTK_COMBO_BOX(dialog->presets), found);
+    dialog->setting = false;
+}
+
 static void values_changed(void *user)
 {
     struct dialog *dialog = user;
     if (!dialog->setting && dialog->presets != NULL) {
-        gtk_combo_box_set_active(GTK_COMBO_BOX(dialog->presets), -1);
+        show_preset(dialog);
     }
     plug_preview_update(dialog->preview);
 }
@@ -68,11 +99,11 @@ static void reset(struct dialog *dialog)
     }
     plug_values_first(job);
     dialog->setting = true;
-    if (dialog->presets != NULL) {
-        gtk_combo_box_set_active(GTK_COMBO_BOX(dialog->presets), 0);
-    }
     show_values(dialog);
     dialog->setting = false;
+    if (dialog->presets != NULL) {
+        show_preset(dialog);
+    }
 }
 
 static GtkWidget *make_presets(struct dialog *dialog)
@@ -87,6 +118,7 @@ static GtkWidget *make_presets(struct dialog *dialog)
     gtk_box_pack_start(GTK_BOX(row), gtk_label_new("Preset"), FALSE, FALSE, 0);
     gtk_box_pack_start(GTK_BOX(row), dialog->presets, TRUE, TRUE, 0);
     g_signal_connect(dialog->presets, "changed", G_CALLBACK(preset_changed), dialog);
+    show_preset(dialog);
     return row;
 }
 

@@ -34,13 +34,43 @@ bool plug_job_fixed(const plug_variant *variant, const duct_param *param)
     return variant->lines != NULL && strcmp(param->id, OPTION_LINES) == 0;
 }
 
+static bool is_own(const char *id)
+{
+    for (size_t i = 0; i < plug_options.param_count; i++) {
+        if (strcmp(plug_options.params[i].id, id) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void plug_job_name(const duct_operation *operation, const duct_param *param, char *name, size_t size)
+{
+    bool shared = operation != &plug_options && is_own(param->id);
+    g_snprintf(name, size, "%s%s%s", shared ? operation->id : "", shared ? "-" : "", param->id);
+}
+
+/* The operation's parameter of that name; NULL where there is none. */
+static const char *own_id(const duct_operation *operation, const char *name)
+{
+    for (size_t i = 0; i < operation->param_count; i++) {
+        char known[PLUG_NAME_SIZE];
+        plug_job_name(operation, &operation->params[i], known, sizeof known);
+        if (strcmp(known, name) == 0) {
+            return operation->params[i].id;
+        }
+    }
+    return strcmp(name, "preset") == 0 ? name : NULL;
+}
+
 duct_status plug_job_set(struct job *job, const char *param, const char *value, duct_error *error)
 {
     if (duct_settings_text(job->options, param) != NULL) {
         return duct_settings_set(job->options, param, value, error);
     }
-    if (duct_settings_text(job->settings, param) != NULL || strcmp(param, "preset") == 0) {
-        return duct_settings_set(job->settings, param, value, error);
+    const char *id = own_id(job->operation, param);
+    if (id != NULL) {
+        return duct_settings_set(job->settings, id, value, error);
     }
     return plug_fail(error, DUCT_BAD_SETTING,
                      "there is no setting '%.80s'; GIMP's Procedure Browser lists those of plug-in-ductus-%s",
@@ -73,8 +103,9 @@ static void write_values(GString *text, const duct_settings *settings)
 {
     const duct_operation *table = duct_settings_operation(settings);
     for (size_t i = 0; i < table->param_count; i++) {
-        const char *id = table->params[i].id;
-        g_string_append_printf(text, "%s=%s\n", id, duct_settings_text(settings, id));
+        char name[PLUG_NAME_SIZE];
+        plug_job_name(table, &table->params[i], name, sizeof name);
+        g_string_append_printf(text, "%s=%s\n", name, duct_settings_text(settings, table->params[i].id));
     }
 }
 

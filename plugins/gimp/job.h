@@ -21,7 +21,11 @@ duct_status plug_job_init(struct job *job, const duct_operation *operation, cons
                           duct_error *error);
 void plug_job_done(struct job *job);
 
-/* Sets the value of either table's parameter. */
+/* A parameter's name among those of both tables: its id, with the operation's before it where our own table
+ * has that id too. */
+void plug_job_name(const duct_operation *operation, const duct_param *param, char *name, size_t size);
+
+/* Sets the value of either table's parameter by that name. */
 duct_status plug_job_set(struct job *job, const char *param, const char *value, duct_error *error);
 
 /* Whether the place in GIMP that was called from decides this parameter. */

@@ -17,15 +17,15 @@ extern const duct_operation plug_options;
 #define OPTION_BRUSH "brush"
 #define OPTION_SIZE "size"
 #define OPTION_OPACITY "opacity"
-#define OPTION_BLEND "blend"
+#define OPTION_BLEND "layer-mode"
 #define OPTION_COLOUR "colour"
 #define OPTION_CLIP "clip"
 #define OPTION_HIDE "hide"
 #define OPTION_TOLERANCE "tolerance"
 #define OPTION_INK "ink"
 #define OPTION_THRESHOLD "threshold"
-#define OPTION_WIDEST "widest"
-#define OPTION_SHORTEST "shortest"
+#define OPTION_WIDEST "widest-line"
+#define OPTION_SHORTEST "shortest-line"
 
 /* Values of the choice `lines`. */
 #define LINES_PATH "path"
@@ -48,7 +48,7 @@ bool plug_option_bool(const duct_settings *options, const char *id);
 /* A number; `otherwise` where it is "auto". */
 double plug_option_number(const duct_settings *options, const char *id, double otherwise);
 
-/* GIMP's layer mode for the choice `blend`, and the cairo operator that shows it in previews. */
+/* GIMP's layer mode for the choice `layer-mode`, and the cairo operator that shows it in previews. */
 GimpLayerMode plug_option_mode(const duct_settings *options);
 int plug_option_operator(const duct_settings *options);
 

@@ -66,6 +66,11 @@ duct_status plug_paths_read(gint32 vectors, const char *name, duct_drawing *draw
     size_t first = duct_drawing_stroke_count(drawing);
     read_strokes(vectors, path);
     status = duct_path_flatten(path, own != NULL ? own : "", flatten_tolerance, drawing, error);
+    if (status != DUCT_OK && status != DUCT_NO_MEMORY) {
+        char *said = g_strdup(error->message);
+        plug_fail(error, status, "the path '%.80s': %s", own != NULL ? own : "", said);
+        g_free(said);
+    }
     for (size_t i = first; status == DUCT_OK && i < duct_drawing_stroke_count(drawing); i++) {
         status = duct_stroke_set_group(duct_drawing_edit_stroke(drawing, i), own != NULL ? own : "", error);
     }
