@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "line_art.h"
 
+#include "colours.h"
 #include "failure.h"
 
 #include <ductus/lineart.h>
@@ -12,6 +13,7 @@ enum { STRIP = 64 /* rows read at a time */ };
 
 struct line_art {
     GeglBuffer *buffer;
+    const Babl *own;    /* its format, with the image's colour space */
     GeglRectangle area; /* in the layer's pixels */
     int left, top;      /* of the area in the image */
     char *name;         /* the layer's */
@@ -78,8 +80,7 @@ static void pixel_at(const struct line_art *art, double x, double y, uint8_t rgb
         return;
     }
     const GeglRectangle place = {art->area.x + column, art->area.y + row, 1, 1};
-    gegl_buffer_get(art->buffer, &place, 1, babl_format("R'G'B' u8"), rgb, GEGL_AUTO_ROWSTRIDE,
-                    GEGL_ABYSS_NONE);
+    plug_colours_read(art->buffer, &place, art->own, babl_format("R'G'B' u8"), rgb);
 }
 
 /* The mean colour of the pixels under a stroke. */
@@ -133,8 +134,8 @@ static duct_status take_pixels(struct line_art *art, plug_hold hold, void *user,
         read_strip(art, y, count, art->grey + (size_t)y * width);
         if (art->colour != NULL) {
             const GeglRectangle strip = {art->area.x, art->area.y + y, art->area.width, count};
-            gegl_buffer_get(art->buffer, &strip, 1, babl_format("R'G'B' u8"),
-                            art->colour + 3 * (size_t)y * width, GEGL_AUTO_ROWSTRIDE, GEGL_ABYSS_NONE);
+            plug_colours_read(art->buffer, &strip, art->own, babl_format("R'G'B' u8"),
+                              art->colour + 3 * (size_t)y * width);
         }
     }
     return DUCT_OK;
@@ -163,6 +164,7 @@ duct_status plug_line_art_open(const struct job *job, plug_hold hold, void *user
     made->own_colours = plug_option_is(job->options, OPTION_COLOUR, "line-art");
     made->strip = g_new(float, 2 * STRIP * (size_t)area.width);
     made->buffer = gimp_drawable_get_buffer(job->drawable);
+    made->own = plug_colours_format(job->image, made->buffer);
     made->by_alpha = gimp_drawable_has_alpha(job->drawable) && is_transparent(made);
     duct_status status = hold != NULL ? take_pixels(made, hold, user, error) : DUCT_OK;
     if (status != DUCT_OK) {

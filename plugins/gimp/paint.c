@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "paint.h"
 
+#include "colours.h"
 #include "failure.h"
 
 #include <string.h>
@@ -39,11 +40,11 @@ static bool fill(struct tile *tile, const uint16_t *painted, const struct clip *
     return any;
 }
 
-static duct_status copy_tiles(const duct_context *context, const duct_canvas *canvas, const struct clip *clip,
-                              GeglBuffer *buffer, size_t *count, duct_error *error)
+static duct_status copy_tiles(const struct job *job, const duct_context *context, const duct_canvas *canvas,
+                              const struct clip *clip, GeglBuffer *buffer, size_t *count, duct_error *error)
 {
     const int width = duct_canvas_width(canvas), height = duct_canvas_height(canvas);
-    const Babl *format = babl_format("R'aG'aB'aA float");
+    const Babl *format = babl_format("R'aG'aB'aA float"), *own = plug_colours_format(job->image, buffer);
     struct tile *tile = g_new(struct tile, 1);
     duct_status status = DUCT_OK;
     *count = 0;
@@ -53,7 +54,7 @@ static duct_status copy_tiles(const duct_context *context, const duct_canvas *ca
             tile->area =
                 (GeglRectangle){x, y, MIN(DUCT_TILE_SIZE, width - x), MIN(DUCT_TILE_SIZE, height - y)};
             if (painted != NULL && fill(tile, painted, clip)) {
-                gegl_buffer_set(buffer, &tile->area, 0, format, tile->pixels, GEGL_AUTO_ROWSTRIDE);
+                plug_colours_write(buffer, &tile->area, own, format, tile->pixels);
                 (*count)++;
             }
         }
@@ -78,7 +79,7 @@ duct_status plug_paint_layer(const struct job *job, const duct_context *context,
     }
     size_t count = 0;
     GeglBuffer *buffer = gimp_drawable_get_buffer(made);
-    duct_status status = copy_tiles(context, canvas, clip, buffer, &count, error);
+    duct_status status = copy_tiles(job, context, canvas, clip, buffer, &count, error);
     gegl_buffer_flush(buffer);
     g_object_unref(buffer);
     if (status == DUCT_OK && count == 0) {
