@@ -59,5 +59,7 @@ double duct_bitmap_radius(const duct_bitmap *bitmap, int x, int y, double near)
     for (k = k < 1 ? 1 : k; (double)k * k < best; k++) {
         best = search_ring(bitmap, x, y, k, best);
     }
-    return sqrt(best) - 0.5;
+    /* To the pixel's edge it is half a pixel less; but a line of an even number of pixels has its middle
+     * between two, and is half a pixel wider on the other side: the mean of both. */
+    return sqrt(best) - 0.25;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What thinning makes of thick lines, and how a pen went: hairs that are no longer than the line is wide are
- * dropped; two junctions closer than the line's width are one crossing; at a junction a stroke goes on where
+ * dropped; two junctions closer than the line's width, or with a
+ * thicker line between them, are one crossing; at a junction a stroke goes on where
  * it turns least. */
 #include "lineart/lineart_private.h"
 
@@ -53,22 +54,47 @@ static void drop_hairs(duct_graph *graph)
     }
 }
 
-static void merge_nodes(duct_node *nodes, size_t from, size_t to)
+static void merge_nodes(duct_node *nodes, size_t from, size_t to, double length)
 {
     duct_node *kept = &nodes[to], *other = &nodes[from];
     double total = (double)(kept->weight + other->weight);
     kept->x = (kept->x * (double)kept->weight + other->x * (double)other->weight) / total;
     kept->y = (kept->y * (double)kept->weight + other->y * (double)other->weight) / total;
+    kept->reach = fmax(fmax(kept->reach, other->reach), length / 2 + fmin(kept->radius, other->radius));
     kept->radius = fmax(kept->radius, other->radius);
     kept->weight += other->weight;
     kept->branches += other->branches;
     other->merged = to;
 }
 
-/* Makes one of two junctions that are closer than the line is wide. */
+static void find_slimmest(duct_graph *graph)
+{
+    for (size_t i = 0; i < graph->node_count; i++) {
+        graph->nodes[i].slimmest = INFINITY;
+    }
+    for (size_t i = 0; i < graph->edge_count; i++) {
+        const duct_edge *edge = &graph->edges[i];
+        for (int side = 0; side < 2 && !edge->gone && edge->node[side] != DUCT_NO_NODE; side++) {
+            duct_node *node = node_at(graph, edge, side);
+            node->slimmest = fmin(node->slimmest, edge->radius);
+        }
+    }
+}
+
+/* Whether an edge lies inside a crossing: it is no longer than the lines are wide; or, where they cross at a
+ * sharp angle and so run together for a while, it is thicker than those that lead to it. */
+static bool is_crossing(const duct_edge *edge, const duct_node *one, const duct_node *other)
+{
+    double slimmest = fmax(one->slimmest, other->slimmest);
+    return edge->length <= 2.2 * fmin(one->radius, other->radius) + 3 ||
+           (edge->radius > 1.15 * slimmest && edge->length <= 6 * slimmest);
+}
+
+/* Makes one of the two junctions of each crossing. */
 static void join_crossings(duct_graph *graph)
 {
     count_degrees(graph);
+    find_slimmest(graph);
     for (size_t i = 0; i < graph->edge_count; i++) {
         duct_edge *edge = &graph->edges[i];
         if (edge->gone || edge->node[0] == DUCT_NO_NODE) {
@@ -77,11 +103,10 @@ static void join_crossings(duct_graph *graph)
         size_t a = duct_graph_node(graph, (size_t)edge->node[0]);
         size_t b = duct_graph_node(graph, (size_t)edge->node[1]);
         const duct_node *one = &graph->nodes[a], *other = &graph->nodes[b];
-        if (a != b && one->degree >= 3 && other->degree >= 3 &&
-            edge->length <= 2 * fmin(one->radius, other->radius) + 1) {
+        if (a != b && one->degree >= 3 && other->degree >= 3 && is_crossing(edge, one, other)) {
             int degree = one->degree + other->degree - 2;
             edge->gone = true;
-            merge_nodes(graph->nodes, a < b ? b : a, a < b ? a : b);
+            merge_nodes(graph->nodes, a < b ? b : a, a < b ? a : b, edge->length);
             graph->nodes[a < b ? a : b].degree = degree;
         }
     }
@@ -106,7 +131,7 @@ static double leaving(duct_graph *graph, const duct_edge *edge, int side)
         return atan2(other->y - node->y, other->x - node->x);
     }
     double near_x, near_y, far_x, far_y;
-    double near = edge->count > 3 * node->radius + 4 ? node->radius : 0;
+    double near = edge->count > 3 * node->reach + 4 ? node->reach : 0;
     place_along(graph, edge, side, near, &near_x, &near_y);
     place_along(graph, edge, side, near + 2 * node->radius + 4, &far_x, &far_y);
     if (far_x == near_x && far_y == near_y) {

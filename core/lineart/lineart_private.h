@@ -22,11 +22,13 @@ typedef struct duct_pixel {
 /* A place where lines end or meet. */
 typedef struct duct_node {
     double x, y;
-    double radius; /* half the width of the line there */
-    size_t merged; /* into this node; itself where it is not */
-    size_t weight; /* how many it stands for */
-    int degree;    /* ends of edges here */
-    int branches;  /* the same before hairs were dropped */
+    double radius;   /* half the width of the line there */
+    double reach;    /* how far from it thinning bends lines */
+    double slimmest; /* of the radii of the lines that meet there */
+    size_t merged;   /* into this node; itself where it is not */
+    size_t weight;   /* how many it stands for */
+    int degree;      /* ends of edges here */
+    int branches;    /* the same before hairs were dropped */
 } duct_node;
 
 enum { DUCT_NO_NODE = -1 };

@@ -95,8 +95,8 @@ static void add_edge(struct writer *writer, const duct_edge *edge, int side)
     for (size_t i = 0; i < edge->count; i++) {
         const duct_pixel *pixel = &writer->graph->pixels[edge->first + (side == 0 ? i : edge->count - 1 - i)];
         const struct place here = {pixel->x + 0.5, pixel->y + 0.5, false};
-        bool inside = (through_from && apart(&here, from) < from->radius) ||
-                      (through_to && apart(&here, to) < to->radius);
+        bool inside = (through_from && apart(&here, from) < from->reach) ||
+                      (through_to && apart(&here, to) < to->reach);
         if (!inside || (i == edge->count / 2 && writer->place_count == begin)) {
             add_place(writer, here.x, here.y, false);
         }

@@ -139,6 +139,7 @@ static void take_in(struct tracer *tracer, struct mark *mark, size_t node)
     to->x = (to->x * n + mark->at.x + 0.5) / (n + 1);
     to->y = (to->y * n + mark->at.y + 0.5) / (n + 1);
     to->radius = fmax(to->radius, duct_bitmap_radius(tracer->ink, mark->at.x, mark->at.y, -1));
+    to->reach = to->radius;
     to->weight++;
     mark->node = node;
 }
@@ -180,7 +181,7 @@ static duct_status make_nodes(struct tracer *tracer, duct_error *error)
         if (tracer->marks[i].node == SIZE_MAX &&
             grow(graph, &graph->nodes, &graph->node_capacity, graph->node_count + 1, sizeof *graph->nodes)) {
             size_t node = graph->node_count++;
-            graph->nodes[node] = (duct_node){0, 0, 0, node, 0, 0, 0};
+            graph->nodes[node] = (duct_node){0, 0, 0, 0, 0, node, 0, 0, 0};
             flood(tracer, &tracer->marks[i], node, waiting);
         }
     }

@@ -71,10 +71,10 @@ duct_status duct_lineart_trace(const duct_context *context, int width, int heigh
         status = duct_graph_join(&graph, error);
     }
     if (status == DUCT_OK) {
-        status = duct_graph_strokes(&graph, &used, drawing, error);
+        status = duct_progress_report(context, 1, error);
     }
     if (status == DUCT_OK) {
-        status = duct_progress_report(context, 1, error);
+        status = duct_graph_strokes(&graph, &used, drawing, error);
     }
     duct_graph_done(&graph);
     return status;
