@@ -149,6 +149,8 @@ static void make_window(struct dialog *dialog)
     gtk_box_pack_start(GTK_BOX(content), dialog->message, FALSE, FALSE, 0);
     gtk_box_pack_start(GTK_BOX(content), dialog->bar, FALSE, FALSE, 0);
     gtk_widget_show_all(dialog->window);
+    /* Return is OK from the beginning. */
+    gtk_widget_grab_focus(gtk_dialog_get_widget_for_response(GTK_DIALOG(dialog->window), GTK_RESPONSE_OK));
     gtk_widget_hide(dialog->message);
     gtk_widget_hide(dialog->bar);
 }

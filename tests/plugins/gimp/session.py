@@ -53,6 +53,7 @@ class Gimp:
     def __init__(self, display=None):
         self.folder = tempfile.mkdtemp(prefix="ductus-gimp-")
         self.profile, environment = prepare_profile(self.folder)
+        self.prepare()
         with socket.socket() as probe:
             probe.bind(("127.0.0.1", 0))
             self.port = probe.getsockname()[1]
@@ -70,6 +71,9 @@ class Gimp:
         self.socket = self._connect()
         with open(os.path.join(os.path.dirname(__file__), "helpers.scm")) as helpers:
             self.run(helpers.read())
+
+    def prepare(self):
+        """What else the profile is to hold before GIMP starts."""
 
     def _connect(self):
         for _ in range(600):
