@@ -21,6 +21,7 @@
 #include <ductus/format.h>
 #include <ductus/image.h>
 #include <ductus/library.h>
+#include <ductus/lineart.h>
 #include <ductus/operation.h>
 #include <ductus/path.h>
 #include <ductus/random.h>
