@@ -18,3 +18,9 @@ find_path(GEOS_INCLUDE_DIR geos_c.h REQUIRED)
 add_library(ductus_geos INTERFACE)
 target_link_libraries(ductus_geos INTERFACE ${GEOS_LIBRARY})
 target_include_directories(ductus_geos SYSTEM INTERFACE ${GEOS_INCLUDE_DIR})
+
+# Debian's own Python: the tests of the plug-ins need Debian's modules, and a python3 first in PATH may lack them.
+if(NOT DEFINED Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
+  set(Python3_EXECUTABLE /usr/bin/python3)
+endif()
+find_package(Python3 REQUIRED COMPONENTS Interpreter)

@@ -11,7 +11,8 @@ import sys
 
 SCALARS = {
     "bool": "c_bool", "char": "c_char", "unsigned char": "c_ubyte", "int": "c_int", "long": "c_long",
-    "float": "c_float", "double": "c_double", "size_t": "c_size_t", "uint16_t": "c_uint16", "uint64_t": "c_uint64",
+    "float": "c_float", "double": "c_double", "size_t": "c_size_t",
+    "uint8_t": "c_ubyte", "uint16_t": "c_uint16", "uint64_t": "c_uint64",
 }
 
 
