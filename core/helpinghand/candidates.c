@@ -30,6 +30,9 @@ typedef struct {
     size_t *found;           /* PIECE */
     duct_candidate *nearest; /* room for k */
     duct_candidate *merged;  /* room for 1 + MOST_TIMES_K times k */
+    uint32_t *fresh,
+        *places; /* as many: successors that are not among the nearest, and where they are merged */
+    float *fresh_distances;
 } finder;
 
 static int by_sample(const void *a, const void *b)
@@ -52,7 +55,7 @@ static size_t add_successors(const finder *self, const float *query, const duct_
 {
     const duct_candidate *before = columns->items + columns->starts[column - 1];
     size_t before_count = columns->starts[column] - columns->starts[column - 1], at = 0, count = 0;
-    size_t dimensions = self->index->dimensions;
+    size_t fresh = 0;
     for (size_t b = 0; b < before_count; b++) {
         uint32_t next = before[b].sample + 1;
         if (next >= self->library->starts[before[b].stroke + 1]) {
@@ -64,12 +67,17 @@ static size_t add_successors(const finder *self, const float *query, const duct_
         if (at < near && nearest[at].sample == next) {
             continue;
         }
-        float distance =
-            duct_feature_distance(query, self->index->rows + (size_t)next * dimensions, dimensions);
-        merged[count++] = (duct_candidate){next, before[b].stroke, distance};
+        self->fresh[fresh] = next;
+        self->places[fresh++] = (uint32_t)count;
+        merged[count++] = (duct_candidate){next, before[b].stroke, 0};
     }
     while (at < near) {
         merged[count++] = nearest[at++];
+    }
+    duct_feature_distances(query, self->index->rows, self->index->dimensions, self->fresh, fresh,
+                           self->fresh_distances);
+    for (size_t i = 0; i < fresh; i++) {
+        merged[self->places[i]].distance = self->fresh_distances[i];
     }
     return count;
 }
@@ -127,10 +135,20 @@ static duct_status fill_column(finder *self, const float *query, const uint32_t 
         return duct_fail(error, DUCT_UNSUPPORTED, "the search found no neighbours; use the exact search");
     }
     for (size_t n = 0; n < found; n++) {
-        uint32_t stroke = duct_library_stroke_of(self->library, near[n]);
-        self->nearest[n] = (duct_candidate){near[n], stroke, distances[n]};
+        /* Put in order as they come: they are few. */
+        size_t at = n;
+        for (; at > 0 && self->nearest[at - 1].sample > near[n]; at--) {
+            self->nearest[at] = self->nearest[at - 1];
+        }
+        self->nearest[at] = (duct_candidate){near[n], 0, distances[n]};
     }
-    qsort(self->nearest, found, sizeof *self->nearest, by_sample);
+    uint32_t stroke = 0;
+    for (size_t n = 0; n < found; n++) {
+        if (n == 0 || self->nearest[n].sample >= self->library->starts[stroke + 1]) {
+            stroke = duct_library_stroke_of(self->library, self->nearest[n].sample);
+        }
+        self->nearest[n].stroke = stroke;
+    }
     const duct_candidate *all = self->nearest;
     size_t count = found;
     if (self->options->coherent && column > 0) {
@@ -183,12 +201,17 @@ duct_status duct_candidates_find(const duct_allocator *allocator, const duct_lib
     self.distances = duct_alloc(allocator, piece * k, sizeof *self.distances);
     self.found = duct_alloc(allocator, piece, sizeof *self.found);
     self.nearest = duct_alloc(allocator, k, sizeof *self.nearest);
-    self.merged = duct_alloc(allocator, (MOST_TIMES_K + 1) * k, sizeof *self.merged);
+    size_t widest = (MOST_TIMES_K + 1) * k;
+    self.merged = duct_alloc(allocator, widest, sizeof *self.merged);
+    self.fresh = duct_alloc(allocator, 2 * widest, sizeof *self.fresh);
+    self.fresh_distances = duct_alloc(allocator, widest, sizeof *self.fresh_distances);
     duct_status status;
     if (rows == NULL || columns->starts == NULL || self.near == NULL || self.distances == NULL ||
-        self.found == NULL || self.nearest == NULL || self.merged == NULL) {
+        self.found == NULL || self.nearest == NULL || self.merged == NULL || self.fresh == NULL ||
+        self.fresh_distances == NULL) {
         status = duct_fail_memory(error);
     } else {
+        self.places = self.fresh + widest;
         status = duct_features_compute(allocator, &options->features, x, y, count, rows, error);
     }
     if (status == DUCT_OK) {
@@ -200,6 +223,8 @@ duct_status duct_candidates_find(const duct_allocator *allocator, const duct_lib
     duct_release(allocator, self.found);
     duct_release(allocator, self.nearest);
     duct_release(allocator, self.merged);
+    duct_release(allocator, self.fresh);
+    duct_release(allocator, self.fresh_distances);
     if (status != DUCT_OK) {
         duct_columns_free(allocator, columns);
     }
