@@ -233,3 +233,24 @@ class Cancelling(Frames):
                         restyle(**{"frames": "all", **values})
                 finally:
                     host._set_points = real
+
+    def test_failure_in_a_second_object_changes_neither(self):
+        host = grease_pencil.generation()
+        real = host._set_points
+
+        def broken(ob, *arguments):
+            if ob.name == "Second":
+                raise RuntimeError("on purpose")
+            real(ob, *arguments)
+        self.animate()
+        second = Scene("Second", clear=False)
+        second.wave()
+        bpy.ops.object.select_all(action="SELECT")
+        host._set_points = broken
+        try:
+            for result in ("in-place", "new-layer"):
+                with self.assertRefused("on purpose"):
+                    restyle(apply_to="objects", result=result)
+        finally:
+            host._set_points = real
+        self.assertEqual(restyle(apply_to="objects"), {"FINISHED"})
