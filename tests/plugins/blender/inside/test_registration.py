@@ -87,7 +87,8 @@ class Tables(Case):
         hands = binding.hands()
         self.assertGreater(len(hands), 1)
         self.assertEqual(properties._hand_names(None, None, hands[1][:3]), [hands[1]])
-        self.assertEqual(properties._hand_names(None, None, ""), hands)
+        for text in ("", hands[0], "/a/file.inkml"):
+            self.assertEqual(properties._hand_names(None, None, text), hands)
 
     def test_unknown_preset_is_refused(self):
         with self.assertRaises(RuntimeError) as caught:
