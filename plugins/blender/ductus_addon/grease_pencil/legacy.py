@@ -74,11 +74,12 @@ def refuses(ob):
 
 
 def multiframe(ob):
-    return ob.data.use_multiedit and selecting(ob)
+    return ob.data.use_multiedit and ob.mode in {"EDIT_GPENCIL", "SCULPT_GPENCIL", "VERTEX_GPENCIL", "WEIGHT_GPENCIL"}
 
 
 def selecting(ob):
-    return ob.mode in {"EDIT_GPENCIL", "SCULPT_GPENCIL", "VERTEX_GPENCIL"}
+    # Sculpting and painting show no selection, but for their masks.
+    return ob.mode == "EDIT_GPENCIL"
 
 
 def any_selected(ob):

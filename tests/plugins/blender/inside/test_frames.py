@@ -2,7 +2,7 @@
 """Ranges of frames, boiling lines, lines that keep their choices from drawing to drawing, and cancelling."""
 import bpy
 import numpy as np
-from helpers import Case, Scene, positions, restyle, snapshot, wave
+from helpers import Case, Scene, positions, read, restyle, snapshot, wave
 
 from ductus_addon import binding, grease_pencil, operators
 
@@ -185,6 +185,15 @@ class Coherence(Frames):
         restyle(frames="all", variation=1, coherence=0)
         drawings = self.drawings()
         self.assertNear(drawings[1][0], drawings[5][0], 0)
+
+    def test_followers_keep_the_pressure_they_were_drawn_with(self):
+        for k, number in enumerate((1, 5)):
+            frame = self.scene.frame if number == 1 else self.scene.layer.frames.new(number)
+            self.scene.wave(frame, pressure=np.linspace(0.2, 0.6 + 0.3 * k, 40))
+        restyle(frames="all", mode="pose", channels="missing")
+        for k, frame in enumerate(self.scene.layer.frames):
+            thickness = read(frame.strokes[0], "pressure")
+            self.assertNear([thickness[0], thickness[-1]], [0.2, 0.6 + 0.3 * k], 1e-4)
 
     def test_boiled_steps_hold_what_they_chose(self):
         self.animate((1, 2, 3, 4), lambda line, k: line + [0.01 * k, 0, 0])
