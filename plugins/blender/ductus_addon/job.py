@@ -219,8 +219,15 @@ class Job:
 
     def _put_back(self, changed, strokes, keys, turns, layout, pen):
         """All lines that follow a changed one get its result, each in its own place."""
-        if not changed:
-            return
+        sizes = np.cumsum([len(channels["x"]) for channels, _, _ in strokes]) if strokes else np.zeros(0, dtype=int)
+        begin = 0
+        for end in np.append(np.flatnonzero(np.diff(sizes // CHUNK)) + 1, len(strokes)).tolist():
+            if end > begin:
+                self._put_back_results(changed[begin:end], strokes[begin:end], keys, turns, layout, pen)
+                strokes[begin:end] = [None] * (end - begin)
+            begin = end
+
+    def _put_back_results(self, changed, strokes, keys, turns, layout, pen):
         # Which line's result (by its number among `changed`) each line gets.
         number = np.full(len(self), -1)
         number[changed] = np.arange(len(changed))
