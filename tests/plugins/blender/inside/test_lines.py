@@ -266,3 +266,19 @@ class OddOnes(Case):
             restyle(variation=1, seed=4)
             results.append(snapshot(self.scene.data))
         self.assertEqual(results[0], results[1])
+
+    def test_work_done_in_pieces_gives_the_same_bytes(self):
+        from ductus_addon import job
+        from helpers import snapshot
+        whole, results = job.CHUNK, []
+        try:
+            for job.CHUNK in (whole, 300):
+                self.setUp()
+                for k in range(6):
+                    self.scene.wave(z=k, phase=k)
+                self.scene.stroke(helix())
+                restyle()
+                results.append(snapshot(self.scene.data))
+        finally:
+            job.CHUNK = whole
+        self.assertEqual(results[0], results[1])
