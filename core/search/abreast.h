@@ -13,7 +13,6 @@ enum { DUCT_ABREAST = 8 };
 
 typedef float duct_fours __attribute__((vector_size(4 * sizeof(float))));
 typedef float duct_loose_fours __attribute__((vector_size(4 * sizeof(float)), aligned(sizeof(float))));
-typedef int32_t duct_four_places __attribute__((vector_size(4 * sizeof(int32_t))));
 
 /* Four dimensions of four rows each come in, and are turned so that a row's squares lie in one lane. */
 WIDE_PART void duct_add_squares(duct_fours values, const float *const *rows, size_t at, duct_fours *sum)
@@ -26,14 +25,14 @@ WIDE_PART void duct_add_squares(duct_fours values, const float *const *rows, siz
     b *= b;
     c *= c;
     d *= d;
-    duct_fours ab = __builtin_shuffle(a, b, (duct_four_places){0, 4, 1, 5});
-    duct_fours cd = __builtin_shuffle(c, d, (duct_four_places){0, 4, 1, 5});
-    *sum += __builtin_shuffle(ab, cd, (duct_four_places){0, 1, 4, 5});
-    *sum += __builtin_shuffle(ab, cd, (duct_four_places){2, 3, 6, 7});
-    ab = __builtin_shuffle(a, b, (duct_four_places){2, 6, 3, 7});
-    cd = __builtin_shuffle(c, d, (duct_four_places){2, 6, 3, 7});
-    *sum += __builtin_shuffle(ab, cd, (duct_four_places){0, 1, 4, 5});
-    *sum += __builtin_shuffle(ab, cd, (duct_four_places){2, 3, 6, 7});
+    duct_fours ab = __builtin_shufflevector(a, b, 0, 4, 1, 5);
+    duct_fours cd = __builtin_shufflevector(c, d, 0, 4, 1, 5);
+    *sum += __builtin_shufflevector(ab, cd, 0, 1, 4, 5);
+    *sum += __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
+    ab = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+    cd = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+    *sum += __builtin_shufflevector(ab, cd, 0, 1, 4, 5);
+    *sum += __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
 }
 
 /* Squared distances of DUCT_ABREAST rows, each summed up in the order of the dimensions. */
