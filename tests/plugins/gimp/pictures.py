@@ -49,6 +49,7 @@ def of_a_path(gimp, folder):
     screen.tool("key", "Escape")
     gimp.command("plug-in-ductus-restyle")
     dialog = screen.wait(TITLE)
+    screen.tool("mousemove", 2, 2)  # no tooltips
     time.sleep(6)
     screen.picture(os.path.join(folder, "dialog.png"), dialog)
     screen.keys(dialog, "Return")
@@ -59,18 +60,19 @@ def of_a_path(gimp, folder):
 
 
 def of_line_art(gimp, folder):
-    """A drawing in pencil, flattened, and what the filter makes of its pixels."""
+    """A drawing in ink, flattened, and what the filter makes of its pixels."""
     paper(gimp, 720, 560)
     import_paths(gimp, "teapot.svg")
     gimp.run("(gimp-context-set-foreground '(60 60 60))"
-             '(plug-in-ductus-restyle-text RUN-NONINTERACTIVE image paper "hand=david; brush=pencil; size=4")'
+             '(plug-in-ductus-restyle-text RUN-NONINTERACTIVE image paper "hand=david; brush=ink; size=4; mode=pose")'
              "(gimp-image-flatten image)"
              '(file-png-save-defaults RUN-NONINTERACTIVE image (active image) "%s" "x")'
              "(gimp-image-clean-all image)(define view (car (gimp-display-new image)))"
-             "(gimp-context-set-foreground '(120 30 24))" % os.path.join(folder, "before.png"))
+             "(gimp-context-set-foreground '(130 40 30))" % os.path.join(folder, "before.png"))
     time.sleep(3)
     gimp.command("plug-in-ductus-restyle-line-art")
     dialog = gimp.screen.wait(TITLE)
+    gimp.screen.tool("mousemove", 2, 2)
     time.sleep(6)
     gimp.screen.picture(os.path.join(folder, "line-art-dialog.png"), dialog)
     gimp.screen.keys(dialog, "Return")
@@ -83,7 +85,7 @@ def main():
     folder = sys.argv[1]
     session.require(*window.PROGRAMS)
     values = {"plug-in-ductus-restyle": "hand=eve; brush=flat-bristle; size=9; mode=two-pass",
-              "plug-in-ductus-restyle-line-art": "hand=clara; brush=bristle; size=11"}
+              "plug-in-ductus-restyle-line-art": "hand=eve; brush=flat-bristle; size=8; mode=pose"}
     gimp = window.Window(values=values)
     try:
         of_a_path(gimp, folder)
