@@ -59,7 +59,7 @@ class Effect(inkex.EffectExtension):
             self.restore(element)
 
     def restore(self, element):
-        points = ductus.Path(element.get("d")).points if element.get("d") else []
+        points = ductus.Path(elements.path_data(element)).points if element.tag == elements.SVG + "path" else []
         if memory.restore(element, points) and element.get("id"):
             memory.remove_companions(self.svg, {element.get("id")})
 

@@ -147,6 +147,8 @@ def powerstroke(result):
     stroke = result.strokes[0]
     nib = result.nib()
     widths = result.spine.widths(0, stroke, nib, max(result.line["tolerance"], 0.02))
+    if stroke.closed and len(widths) > 1:
+        widths.pop()            # the same place as the first; Inkscape 1.2 draws nothing where it is given both
     made = outline_path(result, nib)
     nodes = result.spine.nodes
     spine = result.data(result.spine)
@@ -162,7 +164,7 @@ def powerstroke(result):
         effect.set(name, value)
     put = line_in_place(result, spine)
     put(filled_line(result), d=result.data(made), original_d=spine, path_effect=f"#{effect_id}")
-    return nodes, frame_on(result, made.points)
+    return nodes, frame_on(result, result.spine.points)     # Inkscape computes `d` anew when the path is moved
 
 
 def segments(result):
