@@ -95,10 +95,11 @@ def document(title, identity):
     return root
 
 
-def finish(root, path, preview):
-    effect = add(root, "effect", needs_live_preview=preview)
+def finish(root, path, tip):
+    effect = add(root, "effect", needs_live_preview="true")
     add(effect, "object-type", "all")
     add(add(effect, "effects-menu"), "submenu", name=MENU)
+    add(effect, "menu-tip", tip)
     add(add(root, "script"), "command", "ductus_effect.py", location="inx", interpreter="python")
     xml.indent(root, "  ")
     with open(path + ".new", "wb") as file:
@@ -149,14 +150,14 @@ def operation_inx(operation, hands, table, argument, folder):
             "Locked and hidden layers, clones, images and what is inside clip paths, masks and symbols stay as they are. "
             "Turn text into paths first (Path > Object to Path)."):
         add(notes, "label", text)
-    finish(root, os.path.join(folder, f"ductus_{operation.id.replace('-', '_')}.inx"), "true")
+    finish(root, os.path.join(folder, f"ductus_{operation.id.replace('-', '_')}.inx"), operation.summary)
 
 
 def companion_inx(task, title, text, folder):
+    """Without anything to set, Inkscape runs it at once."""
     root = document(title, f"org.ductus.{task}")
     hidden(root, "task", task)
-    add(root, "label", text)
-    finish(root, os.path.join(folder, f"ductus_{task}.inx"), "true")
+    finish(root, os.path.join(folder, f"ductus_{task}.inx"), text)
 
 
 def main():

@@ -21,6 +21,7 @@ class Effect(inkex.EffectExtension):
     """Applies an operation to the selected paths, or takes operations away again."""
 
     def add_arguments(self, pars):
+        pars.error = self.refuse_arguments
         pars.add_argument("--tab")
         pars.add_argument("--advanced_tab")
         pars.add_argument("--task", default="apply", choices=("apply", "remove", "bake"))
@@ -34,6 +35,10 @@ class Effect(inkex.EffectExtension):
                 for name in (argument(param.id), argument(param.id) + "_auto", argument(param.id) + "_file"):
                     if not any(name == action.dest for action in pars._actions):
                         pars.add_argument(f"--{name}", default=None)
+
+    @staticmethod
+    def refuse_arguments(message):
+        raise ductus.Error(f"{message}; install the extensions again, whole")
 
     def effect(self):
         if self.options.task == "apply":
@@ -50,18 +55,28 @@ class Effect(inkex.EffectExtension):
         if not found:
             raise ductus.Error("nothing here was made by Ductus; select what was, or nothing for the whole document")
         if bake:
-            for element in found:
-                memory.forget(element)
-                for child in element.iter():
-                    child.attrib.pop(memory.PART_OF, None)
-            return
-        for element in found:
-            self.restore(element)
+            self.bake(found)
+        else:
+            self.restore(found)
 
-    def restore(self, element):
-        points = ductus.Path(element.get("d")).points if element.get("d") else []
-        if memory.restore(element, points) and element.get("id"):
-            memory.remove_companions(self.svg, {element.get("id")})
+    def bake(self, found):
+        effects = set()
+        for element in found:
+            effects |= memory.path_effects(element)
+            memory.forget(element)
+            for child in element:
+                child.attrib.pop(memory.PART, None)
+        for effect in memory.made_effects(self.svg, effects):
+            effect.attrib.pop(memory.MADE, None)
+
+    def restore(self, found):
+        effects = set()
+        for element in found:
+            effects |= memory.path_effects(element)
+            is_path = element.tag == elements.SVG + "path"
+            memory.restore(element, ductus.Path(elements.path_data(element)).points if is_path else [])
+        if effects:
+            memory.drop_effects(self.svg, effects)
 
     # Applying
 
@@ -100,12 +115,8 @@ class Effect(inkex.EffectExtension):
         line = self.line_values()
         if not line["tolerance"] > 0:
             raise ductus.Error(f"tolerance: {line['tolerance']:g} is not allowed; give a number above 0")
-        selected = list(self.svg.selection)
-        for element in elements.kept_by(self.svg, selected):
-            self.restore(element)
-        # What was made beside an element is gone now.
-        selected = [self.owner(element) for element in selected]
-        selected = [element for element in selected if element is not None]
+        selected = [elements.result_around(element) for element in self.svg.selection]
+        self.restore(elements.kept_by(self.svg, selected))
         styles = Styles(self.svg)
         found = elements.collect(self.svg, selected, styles)
         self.refuse_nothing(found, bool(selected))
@@ -121,13 +132,6 @@ class Effect(inkex.EffectExtension):
             left = f"; {plural(found.texts, 'text')} left alone: turn text into paths first (Path > Object to Path)"
             inkex.errormsg(f"{plural(len(jobs), 'path')}: {before} nodes before, {after} after"
                            + (left if found.texts else ""))
-
-    def owner(self, element):
-        """The element itself, or that which it was made beside."""
-        if element.getroottree().getroot() is self.svg and element.getparent() is not None:
-            return element
-        owner = element.get(memory.PART_OF)
-        return self.svg.getElementById(owner) if owner else None
 
     def refuse_nothing(self, found, selected):
         if found.shapes:
@@ -163,8 +167,10 @@ class Effect(inkex.EffectExtension):
             except ductus.Error as error:
                 raise ductus.Error(f"{element.get('id') or element.tag.rpartition('}')[2]}: {error}", error.status)
             width = length(style["stroke-width"], 1.0)
+            if style["vector-effect"] != "non-scaling-stroke":
+                width *= pair[2]
             for index in range(first, len(drawing)):
-                drawing.style(index, width=width * pair[2], opacity=min(1, max(0, number(style["stroke-opacity"], 1))))
+                drawing.style(index, width=width, opacity=min(1, max(0, number(style["stroke-opacity"], 1))))
             if len(drawing) > first:
                 jobs.append((element, style, pair, first, len(drawing), nodes, width))
         return jobs, drawing
@@ -172,12 +178,15 @@ class Effect(inkex.EffectExtension):
     def write(self, jobs, result, line, kept, styles):
         before = after = 0
         ids = Ids(self.svg)
+        followed = elements.followed_by_text(self.svg)
         # Everything that can fail is done before the first element changes: a document is changed whole or not at all,
         # and Inkscape takes none that comes with an error.
         for element, style, pair, first, end, nodes, width in jobs:
             strokes = [result[index] for index in range(first, end)]
-            made = widths.Result(element, style, strokes, pair, decimals(pair[2]),
-                                 {**line, "stroke_width": width}, ids.new)
+            values = {**line, "stroke_width": width}
+            if element.get("id") in followed:
+                values["width_kind"] = "none"       # text on an outline would go around it
+            made = widths.Result(element, style, strokes, pair, decimals(pair[2]), values, ids.new)
             count, frame = widths.apply(made)
             made.change.done(kept, frame, (nodes, count))
             before += nodes

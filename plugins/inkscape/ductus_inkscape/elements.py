@@ -7,6 +7,7 @@ from . import memory, shapes
 SVG = "{http://www.w3.org/2000/svg}"
 SODIPODI = "{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}"
 INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
+HREF = "{http://www.w3.org/1999/xlink}href"
 
 GROUPS = {SVG + "g", SVG + "a", SVG + "switch", SVG + "svg"}
 SHAPES = {SVG + name for name in ("path", "rect", "circle", "ellipse", "line", "polyline", "polygon")}
@@ -96,6 +97,12 @@ def collect(svg, selected, styles):
     return found
 
 
+def result_around(element):
+    """The element that was made a group of, where this one is a part that was made in it; else the element itself."""
+    parent = element.getparent()
+    return parent if element.get(memory.PART) is not None and parent is not None and memory.has(parent) else element
+
+
 def kept_by(svg, selected):
     """The elements with an original among the selected ones, around them, and inside them; of the whole document where
     nothing is selected."""
@@ -108,11 +115,6 @@ def kept_by(svg, selected):
             found.append(element)
 
     for element in selected or [svg]:
-        owner = element.get(memory.PART_OF)
-        if owner is not None:
-            element = svg.getElementById(owner)
-            if element is None:
-                continue
         at = element
         while at is not None:
             add(at)
@@ -128,6 +130,11 @@ def path_data(element):
     if element.tag == SVG + "path":
         return element.get(INKSCAPE + "original-d") or element.get("d") or ""
     return shapes.path_data(element, element.tag[len(SVG):])
+
+
+def followed_by_text(svg):
+    """The ids of the paths that text runs along."""
+    return {text.get(name, "").lstrip("#") for text in svg.iter(SVG + "textPath") for name in (HREF, "href")}
 
 
 def has_path_effect(element):

@@ -10,12 +10,14 @@ ORIGINAL = f"{{{NAMESPACE}}}original"    # JSON: the tag, and what the attribute
 SETTINGS = f"{{{NAMESPACE}}}settings"    # JSON: operation and settings
 FRAME = f"{{{NAMESPACE}}}frame"          # number of nodes of the result, and three of them
 NODES = f"{{{NAMESPACE}}}nodes"          # number of nodes before and after
-PART_OF = f"{{{NAMESPACE}}}part-of"      # on elements that were made beside one: its id
-PATH_EFFECT = f"{{{NAMESPACE}}}made-for" # on path effects in <defs>: the id of the element they were made for
+PART = f"{{{NAMESPACE}}}part"            # marks what was made inside an element that became a group
+MADE = f"{{{NAMESPACE}}}made"            # marks path effects in <defs> that were made for a result
 
 SVG = "{http://www.w3.org/2000/svg}"
 INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
 SODIPODI = "http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"
+PATH_EFFECT = f"{{{INKSCAPE}}}path-effect"
+DESCRIPTIONS = {SVG + "title", SVG + "desc", SVG + "metadata"}
 
 
 def has(element):
@@ -115,9 +117,7 @@ def restore(element, points=None):
         return False
     move = moved_by(element.get(FRAME), points) if points is not None else None
     if element.tag == SVG + "g" and tag != SVG + "g":
-        for child in list(element):
-            if child.get(PART_OF) is not None:
-                element.remove(child)
+        empty(element)
     element.tag = tag
     for name, value in attributes.items():
         if value is None:
@@ -131,28 +131,41 @@ def restore(element, points=None):
     return True
 
 
+def empty(group):
+    """Takes out of a group what was made in it. What somebody else put there goes behind it, where it stays seen."""
+    behind = group
+    for child in list(group):
+        if not isinstance(child.tag, str) or child.tag in DESCRIPTIONS:
+            continue
+        if child.get(PART) is not None:
+            group.remove(child)
+            continue
+        transform = f"{group.get('transform', '')} {child.get('transform', '')}".strip()
+        if transform:
+            child.set("transform", transform)
+        behind.addnext(child)
+        behind = child
+
+
 def forget(element):
     """Drops the record: what the element is now is final."""
     for name in (ORIGINAL, SETTINGS, FRAME, NODES):
         element.attrib.pop(name, None)
 
 
-def remove_companions(root, ids):
-    """Takes out the elements and path effects that were made for elements of these ids."""
-    for companion in list(root.iter()):
-        if isinstance(companion.tag, str) and companion.getparent() is not None:
-            if companion.get(PART_OF) in ids or companion.get(PATH_EFFECT) in ids:
-                remove(companion)
+def path_effects(element):
+    """The ids of the path effects that an element and what is in it refer to."""
+    return {reference.strip().lstrip("#") for inside in element.iter() if isinstance(inside.tag, str)
+            for reference in inside.get(PATH_EFFECT, "").split(";") if reference.strip()}
 
 
-def remove(element):
-    """Takes an element out, with the white space behind it but not the text of others."""
-    parent = element.getparent()
-    before = element.getprevious()
-    tail = element.tail
-    parent.remove(element)
-    if tail and tail.strip():
-        if before is not None:
-            before.tail = (before.tail or "") + tail
-        else:
-            parent.text = (parent.text or "") + tail
+def made_effects(root, ids):
+    """The path effects of these ids that were made for a result."""
+    return [effect for effect in root.iter(f"{{{INKSCAPE}}}path-effect")
+            if effect.get(MADE) is not None and effect.get("id") in ids]
+
+
+def drop_effects(root, ids):
+    """Takes out those path effects that were made for a result and that nothing, such as a copy, refers to any more."""
+    for effect in made_effects(root, ids - path_effects(root)):
+        effect.getparent().remove(effect)

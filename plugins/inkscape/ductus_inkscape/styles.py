@@ -10,10 +10,10 @@ SVG = "{http://www.w3.org/2000/svg}"
 INITIAL = {
     "stroke": "none", "stroke-width": "1", "stroke-opacity": "1", "stroke-dasharray": "none", "fill": "black",
     "fill-opacity": "1", "fill-rule": "nonzero", "visibility": "visible", "display": "inline",
-    "marker-start": "none", "marker-mid": "none", "marker-end": "none",
+    "marker-start": "none", "marker-mid": "none", "marker-end": "none", "vector-effect": "none",
 }
 SOUGHT = tuple(INITIAL) + ("marker",)
-NOT_INHERITED = {"display"}
+NOT_INHERITED = {"display", "vector-effect"}
 
 
 def parse(text):

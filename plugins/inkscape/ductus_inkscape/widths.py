@@ -18,7 +18,7 @@ class Result:
         self.strokes = strokes          # of the operation's drawing, in order
         self.to_page, self.to_local, self.factor = pair
         self.decimals = decimals
-        self.line = line                # the values of table.LINE
+        self.line = line                # the values of table.LINE; stroke_width, in pixels of the page
         self.new_id = new_id            # makes an id that the document does not have
         self.change = memory.Change(element)
         self.spine = ductus.Path()
@@ -26,7 +26,7 @@ class Result:
             self.spine.fit(stroke, line["tolerance"])
 
     def nib(self, **more):
-        width = self.line["width"] or self.line["stroke_width"] * self.factor
+        width = self.line["width"] or self.line["stroke_width"]
         values = {"width": width, "thinnest": self.line["thinnest"], "thickest": self.line["thickest"],
                   "aspect": self.line["aspect"], "fit_tolerance": self.line["tolerance"] / 2, **more}
         return ductus.Nib(**values)
@@ -79,14 +79,14 @@ def line_in_place(result, spine):
     fill.set("d", spine)
     fill.set("style", print_style({"fill": result.style["fill"], "fill-opacity": result.style["fill-opacity"],
                                    "fill-rule": result.style["fill-rule"], "stroke": "none"}))
-    fill.set(memory.PART_OF, result.id())
+    fill.set(memory.PART, "true")
 
     def put(style, **attributes):
         line = etree.SubElement(element, SVG + "path")
         for name, value in attributes.items():
             line.set(ATTRIBUTES.get(name, name), value)
         line.set("style", print_style({name.replace("_", "-"): value for name, value in style.items()}))
-        line.set(memory.PART_OF, result.id())
+        line.set(memory.PART, "true")
     return put
 
 
@@ -147,6 +147,8 @@ def powerstroke(result):
     stroke = result.strokes[0]
     nib = result.nib()
     widths = result.spine.widths(0, stroke, nib, max(result.line["tolerance"], 0.02))
+    if stroke.closed and len(widths) > 1:
+        widths.pop()            # the same place as the first; Inkscape 1.2 draws nothing where it is given both
     made = outline_path(result, nib)
     nodes = result.spine.nodes
     spine = result.data(result.spine)
@@ -158,11 +160,11 @@ def powerstroke(result):
                         ("interpolator_type", "Linear"), ("interpolator_beta", "0.2"),
                         ("start_linecap_type", "round"), ("end_linecap_type", "round"), ("linejoin_type", "round"),
                         ("miter_limit", "4"), ("scale_width", "1"), ("message", ""),
-                        (memory.PATH_EFFECT, result.id())):
+                        (memory.MADE, "true")):
         effect.set(name, value)
     put = line_in_place(result, spine)
     put(filled_line(result), d=result.data(made), original_d=spine, path_effect=f"#{effect_id}")
-    return nodes, frame_on(result, made.points)
+    return nodes, frame_on(result, result.spine.points)     # Inkscape computes `d` anew when the path is moved
 
 
 def segments(result):
@@ -185,7 +187,7 @@ def segments(result):
         child = etree.SubElement(element, SVG + "path")
         child.set("d", result.data(path))
         child.set("style", print_style(style))
-        child.set(memory.PART_OF, result.id())
+        child.set(memory.PART, "true")
     result.restyle(fill="none", stroke_linecap="round", stroke_linejoin="round")
     return sum(piece.nodes for piece, _ in pieces), None
 
