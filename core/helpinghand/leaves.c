@@ -87,17 +87,12 @@ void duct_leaves_finish(duct_leaves *leaves, const duct_sequence_costs *costs)
     }
 }
 
-/* The distances of ABREAST candidates from `at` on, each formed as duct_jump_distance() does it, so that the
- * bits are the same. */
-WIDE_PART void distances_abreast(const duct_leaves *leaves, const duct_jump_space *space, size_t at,
-                                 const duct_jump_vector *to, double *distances)
+/* The squared pose distances of ABREAST candidates from `at` on, each formed as duct_jump_distance() does it,
+ * so that the bits are the same. */
+WIDE_PART void squares_abreast(const duct_leaves *leaves, const duct_jump_space *space, size_t at,
+                               const duct_jump_vector *to, quads *squares)
 {
     const quads a = *(const quads *)(leaves->linear[0] + at), b = *(const quads *)(leaves->linear[1] + at);
-    if (space->direction) {
-        quads turned = 1 - (a * to->linear[0] + b * to->linear[1]);
-        memcpy(distances, &turned, sizeof turned);
-        return;
-    }
     const quads c = *(const quads *)(leaves->linear[2] + at), turn = *(const quads *)(leaves->twist + at);
     quads da = a - to->linear[0], db = b - to->linear[1], dc = c - to->linear[2];
     quads square = da * da + db * db + dc * dc;
@@ -111,9 +106,7 @@ WIDE_PART void distances_abreast(const duct_leaves *leaves, const duct_jump_spac
         off /= space->twist_deviation;
         square += off * off;
     }
-    for (size_t lane = 0; lane < ABREAST; lane++) {
-        distances[lane] = sqrt(square[lane]);
-    }
+    *squares = square;
 }
 
 static bool is_jump(const duct_candidate *from, const duct_candidate *to)
@@ -136,22 +129,44 @@ static double bound_by_cheapest(const duct_leaves *leaves, const duct_jump_space
     return total < limit ? total : limit;
 }
 
+WIDE_PART bool any(const masks *bits)
+{
+    return (((*bits)[0] | (*bits)[1]) | ((*bits)[2] | (*bits)[3])) != 0;
+}
+
 WIDE size_t duct_leaves_best(const duct_leaves *leaves, const duct_jump_space *space,
                              const duct_sequence_costs *costs, const duct_candidate *before,
                              const duct_candidate *here, double *best)
 {
+    /* Beyond rounding. */
+    const double slack = 1e-9, factor = costs->distance * costs->distance;
+    const duct_jump_vector *to = &space->vectors[here->sample];
     size_t chosen = leaves->count;
     double least = bound_by_cheapest(leaves, space, costs, before, here, *best);
     for (size_t at = 0; at < leaves->count; at += ABREAST) {
-        /* Distances are not negative beyond rounding. */
-        masks near = *(const quads *)(leaves->costs + at) - 1e-9 < least;
-        if (((near[0] | near[1]) | (near[2] | near[3])) == 0) {
+        /* What is left for the distance; distances are not negative. */
+        quads room = least - *(const quads *)(leaves->costs + at) + slack, measure;
+        masks near = room > 0;
+        if (!any(&near)) {
             continue;
         }
-        double distances[ABREAST];
-        distances_abreast(leaves, space, at, &space->vectors[here->sample], distances);
+        if (space->direction) {
+            measure = 1 - (*(const quads *)(leaves->linear[0] + at) * to->linear[0] +
+                           *(const quads *)(leaves->linear[1] + at) * to->linear[1]);
+            near &= measure * costs->distance < room;
+        } else {
+            squares_abreast(leaves, space, at, to, &measure);
+            near &= measure * factor < room * room * (1 + slack);
+        }
+        if (!any(&near)) {
+            continue;
+        }
         for (size_t lane = 0; lane < ABREAST && at + lane < leaves->count; lane++) {
-            double total = leaves->costs[at + lane] + costs->distance * distances[lane];
+            if (!near[lane]) {
+                continue;
+            }
+            double distance = space->direction ? measure[lane] : sqrt(measure[lane]);
+            double total = leaves->costs[at + lane] + costs->distance * distance;
             if (total < least && is_jump(&before[at + lane], here)) {
                 least = total;
                 chosen = at + lane;
