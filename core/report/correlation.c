@@ -3,8 +3,9 @@
 
 #include <math.h>
 
-/* Standard deviations up to this are no movement of a pen: pressure counts 0..1, angles in radians. */
-static const double constant = 1e-6;
+/* Standard deviations up to these are no movement of a pen but a tablet's last digit, whose steps correlate
+ * with nothing: a step of pressure among 1024, and a tenth of a degree. */
+static const double still_pressure = 0.001, still_angle = 0.002;
 
 /* z has no bound, and quantized values give coefficients of 1 by chance: a single one must not weigh as much
  * as ten others. */
@@ -43,7 +44,8 @@ bool duct_correlate(const double *a, const double *b, size_t count, bool angle, 
         yy += dy * (y.value - mean_y);
         xy += dx * (y.value - mean_y);
     }
-    double least = (double)count * constant * constant;
+    double still = angle ? still_angle : still_pressure;
+    double least = (double)count * still * still;
     if (!(xx > least) || !(yy > least)) {
         return false;
     }
@@ -57,10 +59,12 @@ void duct_fisher_add(duct_fisher *fisher, double coefficient)
     fisher->count++;
 }
 
-void duct_fisher_join(duct_fisher *fisher, const duct_fisher *other)
+void duct_fisher_add_mean(duct_fisher *fisher, const duct_fisher *other)
 {
-    fisher->sum += other->sum;
-    fisher->count += other->count;
+    if (other->count > 0) {
+        fisher->sum += other->sum / (double)other->count;
+        fisher->count++;
+    }
 }
 
 double duct_fisher_mean(const duct_fisher *fisher)

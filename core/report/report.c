@@ -21,9 +21,15 @@ duct_report_options duct_report_options_default(void)
     return (duct_report_options){.radius = 12, .seed = 0};
 }
 
-/* The averages of one entry while it is made. */
+/* The averages over one kind of pairs. */
 typedef struct {
-    duct_fisher similar[DUCT_CHANNEL_COUNT], random[DUCT_CHANNEL_COUNT];
+    duct_fisher channels[DUCT_CHANNEL_COUNT];
+    duct_fisher together; /* a number a pair: the mean over its channels */
+} kind_averages;
+
+/* Those of one entry while it is made. */
+typedef struct {
+    kind_averages similar, random;
     size_t pairs;
 } averages;
 
@@ -37,18 +43,21 @@ typedef struct {
 } analysis;
 
 static void correlate(const duct_patches *from, const duct_patches *to, size_t a, size_t b,
-                      duct_fisher *fisher)
+                      kind_averages *result)
 {
+    duct_fisher own = {0, 0};
     size_t first = from->centres[a] - from->radius, second = to->centres[b] - to->radius;
     for (size_t p = 0; p < POSE_COUNT; p++) {
         duct_channel c = pose[p];
         const double *x = from->library->channels[c], *y = to->library->channels[c];
         double coefficient;
         if (x != NULL && y != NULL &&
-            duct_correlate(x + first, y + second, 2 * from->radius + 1, c == DUCT_TWIST, &coefficient)) {
-            duct_fisher_add(&fisher[c], coefficient);
+            duct_correlate(x + first, y + second, 2 * from->radius + 1, c != DUCT_PRESSURE, &coefficient)) {
+            duct_fisher_add(&result->channels[c], coefficient);
+            duct_fisher_add(&own, coefficient);
         }
     }
+    duct_fisher_add_mean(&result->together, &own);
 }
 
 /* A random number below `count`. */
@@ -59,7 +68,7 @@ static size_t draw(const duct_report_options *options, size_t count, size_t inde
 
 /* A pair of random patches, of different strokes where both are of one library. */
 static void correlate_random(const duct_report_options *options, const duct_patches *from,
-                             const duct_patches *to, size_t index, duct_fisher *fisher)
+                             const duct_patches *to, size_t index, kind_averages *result)
 {
     size_t a = draw(options, from->count, index, PURPOSE_FIRST);
     size_t start = from == to ? from->starts[from->strokes[a]] : 0;
@@ -68,7 +77,7 @@ static void correlate_random(const duct_report_options *options, const duct_patc
         return;
     }
     size_t b = draw(options, to->count - own, index, PURPOSE_SECOND);
-    correlate(from, to, a, own > 0 && b >= start ? b + own : b, fisher);
+    correlate(from, to, a, own > 0 && b >= start ? b + own : b, result);
 }
 
 /* From the patches of one library to those of another or its own. */
@@ -96,8 +105,8 @@ static duct_status analyse_direction(analysis *self, const duct_patches *from, c
     double threshold = count > 0 ? sum / (double)count : 0;
     for (size_t i = 0; i < from->count; i++) {
         if (self->partners[i] != DUCT_PATCH_NONE && (double)self->distances[i] <= threshold) {
-            correlate(from, to, i, self->partners[i], result->similar);
-            correlate_random(self->options, from, to, kept++, result->random);
+            correlate(from, to, i, self->partners[i], &result->similar);
+            correlate_random(self->options, from, to, kept++, &result->random);
         }
     }
     result->pairs += kept;
@@ -142,21 +151,18 @@ static void judge(duct_report_entry *entry)
 static void conclude(duct_report_entry *entry, const duct_patches *first, const duct_patches *second,
                      const averages *result)
 {
-    duct_fisher similar = {0, 0}, random = {0, 0};
     for (int c = 0; c < DUCT_CHANNEL_COUNT; c++) {
-        duct_fisher_join(&similar, &result->similar[c]);
-        duct_fisher_join(&random, &result->random[c]);
-        entry->channels[c] =
-            (duct_correlation){duct_fisher_mean(&result->similar[c]), duct_fisher_mean(&result->random[c]),
-                               result->similar[c].count};
+        const duct_fisher *similar = &result->similar.channels[c];
+        entry->channels[c] = (duct_correlation){
+            duct_fisher_mean(similar), duct_fisher_mean(&result->random.channels[c]), similar->count};
     }
     for (size_t p = 0; p < POSE_COUNT; p++) {
         entry->present[pose[p]] =
             first->library->channels[pose[p]] != NULL && second->library->channels[pose[p]] != NULL;
     }
     entry->patches = first == second ? first->count : first->count + second->count;
-    entry->together =
-        (duct_correlation){duct_fisher_mean(&similar), duct_fisher_mean(&random), result->pairs};
+    entry->together = (duct_correlation){duct_fisher_mean(&result->similar.together),
+                                         duct_fisher_mean(&result->random.together), result->pairs};
     judge(entry);
 }
 

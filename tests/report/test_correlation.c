@@ -46,6 +46,20 @@ static void constant_runs_have_no_coefficient(void **state)
     assert_true(r == 7);
 }
 
+static void last_digits_of_a_tablet_have_no_coefficient(void **state)
+{
+    (void)state;
+    double step[25], small[25], r = 7;
+    for (size_t i = 0; i < 25; i++) {
+        step[i] = 0.4 + (i > 12 ? 1.0 / 1024 : 0);
+        small[i] = 0.4 + (i > 12 ? 3.0 / 1024 : 0);
+    }
+    assert_false(duct_correlate(step, small, 25, false, &r));
+    assert_false(duct_correlate(small, step, 25, false, &r));
+    assert_true(duct_correlate(small, small, 25, false, &r));
+    assert_false(duct_correlate(small, small, 25, true, &r)); /* as an angle, a twelfth of a degree about */
+}
+
 static void not_a_number_has_no_coefficient(void **state)
 {
     (void)state;
@@ -79,8 +93,12 @@ static void averages_are_those_of_z(void **state)
     double expected = tanh((atanh(0.9) + atanh(0.1)) / 2);
     assert_true(fabs(duct_fisher_mean(&fisher) - expected) < 1e-12);
     duct_fisher_add(&other, -0.4);
-    duct_fisher_join(&fisher, &other);
-    assert_true(fabs(duct_fisher_mean(&fisher) - tanh((atanh(0.9) + atanh(0.1) + atanh(-0.4)) / 3)) < 1e-12);
+    duct_fisher_add(&other, 0.6);
+    duct_fisher_add_mean(&fisher, &other);
+    double mean = (atanh(-0.4) + atanh(0.6)) / 2;
+    assert_true(fabs(duct_fisher_mean(&fisher) - tanh((atanh(0.9) + atanh(0.1) + mean) / 3)) < 1e-12);
+    duct_fisher_add_mean(&fisher, &(duct_fisher){0, 0});
+    assert_int_equal(fisher.count, 3);
 }
 
 static void full_correlation_stays_finite(void **state)
@@ -99,6 +117,7 @@ int main(void)
         cmocka_unit_test(proportional_runs_correlate_fully),
         cmocka_unit_test(coefficient_is_that_of_the_textbook),
         cmocka_unit_test(constant_runs_have_no_coefficient),
+        cmocka_unit_test(last_digits_of_a_tablet_have_no_coefficient),
         cmocka_unit_test(not_a_number_has_no_coefficient),
         cmocka_unit_test(angles_are_unwrapped),
         cmocka_unit_test(averages_are_those_of_z),

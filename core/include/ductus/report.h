@@ -19,7 +19,11 @@ extern "C" {
  *
  * How the paper is read here, where it leaves a choice. Several readings were tried on its recordings; these
  * are the ones that agree with what it reports (similar pairs far above random ones; some writers around
- * 0.5):
+ * 0.5) and with a calculation on them made without this code (similar pairs 0.63 to 0.83, random ones 0.06 to
+ * 0.26, one writer's pages with each other 0.66 to 0.71): with all English pages of a writer as one library,
+ * the five writers have 0.64 (Neeraj), 0.67, 0.74, 0.78 and 0.84 (Chika) for similar pairs and 0.07 to 0.20
+ * for random ones. Single pages spread more: 0.56 to 0.86, and 0.04 to 0.24; Steve's with each other have
+ * 0.68 to 0.72, Linjie's 0.52 to 0.68.
  * - Patches are taken at the library's sampling unit, at which the median stroke has about 60 samples (the
  *   paper: "typically between 40 and 80"), not at one pixel of a 2000-pixel page, which gives its recordings
  *   100 to 250.
@@ -27,8 +31,14 @@ extern "C" {
  *   whose window d_h is 40 samples, as for matching; a window of n samples or fewer would make them 1 always.
  * - "The mean feature distance over all pairs of patches" is the mean over the pairs of most similar patches.
  *   The mean over all pairs that can be formed is some ten times that and would reject nothing.
- * - All coefficients of all pairs and all channels enter one average of Fisher's z. A channel that is
- *   constant over either patch has no coefficient. Coefficients are kept within 0.999, as z has no bound.
+ * - Each pair of patches is one vote: the mean of Fisher's z over its channels; `together` is the mean over
+ *   the pairs. With a vote for every coefficient, pairs whose tilt happens to change would count for more
+ *   than those whose tilt rests, which are the most.
+ * - A channel that is constant over either patch has no coefficient, nor has one whose standard deviation
+ *   there is within a tablet's last digit: 0.001 of pressure, 0.002 radians. Tilts of these recordings rest
+ *   for most patches or creep from one step to the next; what a tablet made up correlates with nothing, and
+ *   pulls a writer whose pen hardly turns (Neeraj) down by 0.04.
+ * - Coefficients are kept within 0.999, as z has no bound.
  * - Between two libraries both directions count: from the patches of each to the most similar of the other.
  */
 typedef struct duct_report duct_report;
@@ -50,8 +60,8 @@ typedef struct duct_correlation {
 } duct_correlation;
 
 /* In words. The limits on `similar` of `together` are round numbers chosen by the paper's recordings: within
- * a page of handwriting Brenda, Chika and Linjie have 0.62 to 0.82, Neeraj and Steve 0.50 to 0.66; between
- * pages, one writer's have 0.45 to 0.80 and two writers' 0.15 to 0.69. So they overlap, and a verdict on two
+ * a page of handwriting Brenda, Chika and Linjie have 0.65 to 0.86, Neeraj and Steve 0.55 to 0.72; between
+ * pages, one writer's have 0.52 to 0.84 and two writers' 0.17 to 0.71. So they overlap, and a verdict on two
  * libraries does not tell whether one person made both. */
 typedef enum duct_verdict {
     DUCT_VERDICT_NO_POSE,    /* no pose channel is there, or in both */
