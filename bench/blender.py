@@ -2,7 +2,8 @@
 """blender -b --factory-startup --addons ductus_addon --python bench/blender.py [-- LINES POINTS]
 
 How much of a run in Blender is the core's, and how it compares with Blender's own modifiers applied to the same object.
-Only ratios within one run mean anything. bench/blender starts it with the add-on from the build.
+Seconds are processor time, all threads together, which a busy machine disturbs least; only ratios within one run mean
+anything. bench/blender starts it with the add-on from the build.
 """
 import sys
 import time
@@ -48,9 +49,9 @@ def scene():
 
 
 def timed(work):
-    start = time.perf_counter()
+    start = time.process_time()
     work()
-    return time.perf_counter() - start
+    return time.process_time() - start
 
 
 def ours(**values):
@@ -61,9 +62,9 @@ def ours(**values):
     real = ductus.run
 
     def run(*positional, **named):
-        start = time.perf_counter()
+        start = time.process_time()
         result = real(*positional, **named)
-        core.append(time.perf_counter() - start)
+        core.append(time.process_time() - start)
         return result
     ductus.run = run
     operator = getattr(bpy.ops.ductus, operators.settings_name(binding.operations()[0]))

@@ -12,7 +12,7 @@ import numpy as np
 
 from .geometry import pens, tracks
 from .geometry.layout import lay_out
-from .geometry.lines import Course, Lines, correspondence
+from .geometry.lines import Course, Lines, correspondence, varies
 
 CHANNELS = ("pressure", "tilt_x", "tilt_y", "twist")
 # Points that are put back at a time, which bounds memory.
@@ -52,6 +52,7 @@ class Job:
         self.names = ["position"] + [n for n in self._attributes() if n != "position"]
         self.points = {name: self._joined(name) for name in self.names}
         self.changes, self.additions, self.removals = {}, {}, []
+        self._varied = None
         self.alike = False
 
     def _attributes(self):
@@ -243,7 +244,7 @@ class Job:
         # Where on their own lines the points belong, and how far away they are.
         changed = np.array(changed)
         closed = self.lines.closed[changed]
-        place = self._places(changed, new_counts, closed, moved, layout)
+        place = self._places(changed, new_counts, closed, moved, layout, self._vary(layout)[changed])
         kept = self._kept(changed, new_counts, place[0], joined["pressure"], layout, pen)
         receivers = np.flatnonzero(source >= 0)
         sizes = np.cumsum(new_counts[source[receivers]])
@@ -254,14 +255,27 @@ class Job:
 
     def _kept(self, changed, new_counts, share, pressure, layout, pen):
         """For each changed line whether the core has left the pressure that it was drawn with."""
+        if not pen["thickness"].recorded[changed].any():
+            return np.zeros(len(changed), dtype=bool)
         number = np.repeat(np.arange(len(changed)), new_counts)
         before = layout.course.read(pen["pressure"], layout.course.find(changed[number], share))
         apart = np.zeros(len(changed))
         np.maximum.at(apart, number, np.where(np.isnan(pressure), 1, np.abs(pressure - before)))
         return pen["thickness"].recorded[changed] & (apart <= 0.02)
 
+    def _vary(self, layout):
+        """The lines on which it matters where exactly a point belongs: with depth, or attributes that differ."""
+        if self._varied is None:
+            depth = (layout.points * np.cross(layout.along, layout.across)).sum(axis=1)
+            size = np.abs(layout.points).max(initial=0)
+            self._varied = varies(self.lines, np.round(depth / max(size, 1e-30), 5)) | varies(self.lines, layout.along)
+            for name, array in self.points.items():
+                if name != "position":
+                    self._varied |= varies(self.lines, np.asarray(array, dtype=np.float32))
+        return self._varied
+
     @staticmethod
-    def _places(changed, new_counts, closed, moved, layout):
+    def _places(changed, new_counts, closed, moved, layout, exact):
         """Shares of the old lines' lengths, and offsets from there."""
         old = layout.lines
         fresh = Lines(new_counts, closed)
@@ -275,7 +289,7 @@ class Job:
             part = Lines(old.counts[changed], old.closed[changed])
             plane = layout.plane[rows]
             course = Course(part, plane, layout.points[rows])
-        along = correspondence(course, plane, fresh, moved)
+        along = correspondence(course, plane, fresh, moved, exact)
         line = np.repeat(np.arange(len(changed)), new_counts)
         there = course.read(plane, course.find_along(line, along))
         length = course.length[line]
@@ -292,12 +306,9 @@ class Job:
                            turn.imag * offset[:, 0] + turn.real * offset[:, 1]), axis=1)
         course = layout.course
         found = course.find(line, share)
-        values = {name: course.read(array, found) for name, array in self.points.items()
-                  if name not in ("position", "select", "time")}
-        if "select" in self.points:
-            values["select"] = course.read(self.points["select"].astype(np.float32), found) >= 0.5
-        if "time" in self.points:
-            values["time"] = course.read(self.points["time"], found)
+        values = {name: _read(course, array, found) for name, array in self.points.items() if name != "position"}
+        if "select" in values:
+            values["select"] = values["select"] >= 0.5
         spatial = layout.put_back(found, offset)
         channels = {name: array[rows] for name, array in joined.items()}
         channels["twist"] = channels["twist"] + np.angle(turn)
@@ -335,7 +346,8 @@ class Job:
             values["thickness"] = np.maximum(new, 0)
             values["strength"] = np.clip(values["strength"] * fade, 0, 1)
         posed = ~np.isnan(channels["twist"]) | ~np.isnan(channels["tilt_x"])
-        values["rotation"] = pens.half_turns(course.read(pen["rotation"], found))
+        if pen["turned"].any():
+            values["rotation"] = pens.half_turns(course.read(pen["rotation"], found))
         if posed.any():
             angle, ratio = pens.nib(channels["twist"], channels["tilt_x"], channels["tilt_y"], own["nib-aspect"])
             direction = None
@@ -387,6 +399,14 @@ class Job:
                     or not np.array_equal(other[2], points["thickness"])
             last[where] = (part.step, points["position"], points["thickness"])
         self.alike = not different
+
+
+def _read(course, array, found):
+    """course.read, quicker where all points have the same value."""
+    array = np.asarray(array, dtype=np.float32)
+    if len(array) and (array == array[0]).all():
+        return np.broadcast_to(array[0], (len(found[0]),) + array.shape[1:])
+    return course.read(array, found)
 
 
 def _without_empty_weights(piece):

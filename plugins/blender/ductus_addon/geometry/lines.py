@@ -121,13 +121,25 @@ def between(a, b, weight):
     return a + weight * (b - a)
 
 
-def correspondence(course, plane, lines, moved):
+def varies(lines, values):
+    """Whether `values` (one for each of the callers' points, or a row of them) are not all the same on a line."""
+    result = np.zeros(len(lines), dtype=bool)
+    full = lines.counts > 0
+    if full.any():
+        begin = lines.offset[full]
+        spread = np.maximum.reduceat(values, begin, axis=0) - np.minimum.reduceat(values, begin, axis=0)
+        result[full] = spread.reshape(len(begin), -1).max(axis=1) > 0
+    return result
+
+
+def correspondence(course, plane, lines, moved, exact=None):
     """Where on its old line each point of a redrawn one belongs.
 
     `course` and `plane` are the old lines', `lines` and `moved` the new ones (the same number of lines, in the same
     order). Points correspond by their share of arc length first; then each looks for the nearest point of the old
     line a little before and behind, since a hand's detours lengthen one part of a line more than another. The result
-    never runs backwards. Returns distances along the old lines.
+    never runs backwards. Where it does not matter (`exact`, for each line, is False) the share is taken as it is.
+    Returns distances along the old lines.
     """
     line = np.repeat(np.arange(len(lines)), lines.counts)
     share = Course(lines, moved).shares()
@@ -135,6 +147,8 @@ def correspondence(course, plane, lines, moved):
         return np.zeros(0)
     length = course.length[line]
     guess = share * length
+    if exact is not None and not exact.any():
+        return guess
     offsets = np.linspace(-0.05, 0.05, 5)
     costs = np.empty((len(offsets), len(line)))
     for k, offset in enumerate(offsets):
@@ -151,6 +165,8 @@ def correspondence(course, plane, lines, moved):
     correction = (offsets[inner] + np.clip(shift, -1, 1) * (offsets[1] - offsets[0])) * length
     correction[length <= 0] = 0
     correction = _smooth(correction, lines, line)
+    if exact is not None:
+        correction[~exact[line]] = 0
     # Ends stay ends.
     correction *= np.minimum(1, 10 * np.minimum(share, 1 - share))
     place = np.clip(guess + correction, 0, length)
