@@ -23,12 +23,13 @@ class EveryOperation(GimpCase):
 
     def arguments(self, name):
         """The types and descriptions of a procedure's arguments behind the first three."""
-        count = int(self.gimp.number('(list-ref (gimp-procedural-db-proc-info "%s") 6)' % name))
-        found = []
-        for index in range(3, count):
-            found.append(self.gimp.run('(let ((a (gimp-procedural-db-proc-arg "%s" %d))) '
-                                       '(string-append (number->string (car a)) "|" (cadr a)))' % (name, index)))
-        return [(int(text.split("|")[0]), text.split("|")[1]) for text in found]
+        text = self.gimp.run(
+            '(let ((name "%s")) (let next ((i 3) (all ""))'
+            " (if (< i (list-ref (gimp-procedural-db-proc-info name) 6))"
+            "  (let ((a (gimp-procedural-db-proc-arg name i)))"
+            '   (next (+ i 1) (string-append all (number->string (car a)) "|" (cadr a) " ")))'
+            "  all)))" % name)
+        return [(int(word.split("|")[0]), word.split("|")[1]) for word in text.split()]
 
     def test_is_registered_with_its_parameters(self):
         for operation in gimp_case.operations():
