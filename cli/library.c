@@ -125,6 +125,41 @@ static int read_numbers(const cli_arguments *arguments, const char *option, doub
     return result;
 }
 
+/* How many of a recording's strokes have the channel. */
+static size_t strokes_with(const duct_drawing *drawing, duct_channel channel)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < duct_drawing_stroke_count(drawing); i++) {
+        count += duct_stroke_values(duct_drawing_stroke(drawing, i), channel) != NULL;
+    }
+    return count;
+}
+
+/* A channel that some strokes lack is not in the library: says so, a line for each recording at fault. */
+static void note_lost_channels(const cli_session *session, const cli_arguments *arguments,
+                               duct_drawing *const *drawings, const duct_library *library)
+{
+    for (size_t i = 0; i < arguments->input_count; i++) {
+        char list[128] = "";
+        for (int c = DUCT_PRESSURE; c <= DUCT_TWIST; c++) {
+            size_t own = strokes_with(drawings[i], (duct_channel)c), all = 0;
+            for (size_t k = 0; k < arguments->input_count; k++) {
+                all += strokes_with(drawings[k], (duct_channel)c);
+            }
+            if (all > 0 && own < duct_drawing_stroke_count(drawings[i]) &&
+                !duct_library_has(library, (duct_channel)c)) {
+                size_t used = strlen(list);
+                snprintf(list + used, sizeof list - used, "%s%s%s", used > 0 ? ", " : "",
+                         own > 0 ? "in some strokes no " : "no ", duct_channel_name((duct_channel)c));
+            }
+        }
+        if (*list != '\0') {
+            cli_note(session, "%s has %s; so the library goes without", cli_input_name(arguments->inputs[i]),
+                     list);
+        }
+    }
+}
+
 static int write_library(const cli_session *session, const cli_arguments *arguments, duct_drawing **drawings,
                          const numbers *scales, const numbers *weights)
 {
@@ -152,6 +187,7 @@ static int write_library(const cli_session *session, const cli_arguments *argume
         result = status == DUCT_OK ? CLI_DONE : cli_fail_error(path, status, &error);
     }
     if (result == CLI_DONE) {
+        note_lost_channels(session, arguments, drawings, library);
         cli_summary(session, "%s: %zu strokes, %zu samples", path, duct_library_stroke_count(library),
                     duct_library_sample_count(library));
     }

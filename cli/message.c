@@ -32,6 +32,16 @@ int cli_fail(const char *format, ...)
     return CLI_FAILED;
 }
 
+void cli_note(const cli_session *session, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    if (!session->quiet) {
+        print_line(format, arguments);
+    }
+    va_end(arguments);
+}
+
 int cli_misused(const char *format, ...)
 {
     va_list arguments;

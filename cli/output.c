@@ -260,6 +260,27 @@ static int write_canvas_to_stdout(cli_output *output, const duct_canvas *canvas,
     return result;
 }
 
+static void note_unpainted(const cli_output *output, const duct_drawing *drawing, const char *path)
+{
+    static const char *const names[] = {"fills", "text", "images"};
+    int unpainted = duct_drawing_unpainted(drawing);
+    char list[64] = "";
+    for (int i = 0; i < 3; i++) {
+        int bit = 1 << i, later = unpainted >> (i + 1);
+        if (unpainted & bit) {
+            size_t used = strlen(list);
+            snprintf(list + used, sizeof list - used, "%s%s", names[i],
+                     later == 0                   ? ""
+                     : (later & (later - 1)) == 0 ? " and "
+                                                  : ", ");
+        }
+    }
+    if (*list != '\0') {
+        cli_note(output->session, "%s: only lines are painted; the drawing's %s are not",
+                 strcmp(path, "-") == 0 ? "standard output" : path, list);
+    }
+}
+
 static int write_image(cli_output *output, const duct_drawing *drawing, const char *path, const char *format)
 {
     int result = cli_output_load_brush(output);
@@ -279,6 +300,9 @@ static int write_image(cli_output *output, const duct_drawing *drawing, const ch
     result = strcmp(path, "-") == 0 ? write_canvas_to_stdout(output, canvas, format)
                                     : write_canvas(output, canvas, path, path);
     duct_canvas_free(canvas);
+    if (result == CLI_DONE) {
+        note_unpainted(output, drawing, path);
+    }
     return result;
 }
 

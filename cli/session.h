@@ -37,6 +37,10 @@ int cli_stopped(void);
 /* Seconds since the program started. */
 double cli_seconds(void);
 
+/* Prints "ductus: SENTENCE" as one line on stderr unless the user has asked for quiet: what the result lacks
+ * without anything having failed. */
+void cli_note(const cli_session *session, const char *format, ...) DUCT_PRINTF(2, 3);
+
 /* Prints one line about work that is done, where there is a terminal and the user has not asked for quiet. */
 void cli_summary(const cli_session *session, const char *format, ...) DUCT_PRINTF(2, 3);
 

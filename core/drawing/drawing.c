@@ -309,6 +309,11 @@ const duct_origin *duct_drawing_origin(const duct_drawing *drawing)
     return drawing->origin;
 }
 
+int duct_drawing_unpainted(const duct_drawing *drawing)
+{
+    return drawing->origin != NULL ? drawing->origin->unpainted : 0;
+}
+
 const duct_allocator *duct_drawing_allocator(const duct_drawing *drawing)
 {
     return &drawing->allocator;

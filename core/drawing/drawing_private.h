@@ -15,6 +15,7 @@ struct duct_origin {
     atomic_size_t references;
     const char *format;                   /* the format's id: only that format may use it */
     void (*destroy)(duct_origin *origin); /* frees it, with the memory of the format's own struct around it */
+    int unpainted;                        /* what the file shows beside strokes: duct_unpainted */
 };
 
 /* Puts an origin into a drawing, which takes over the caller's reference. */

@@ -71,9 +71,19 @@ duct_status duct_features_compute(const duct_allocator *allocator, const duct_fe
     double length = duct_arc_lengths(x, y, count, at);
     duct_feature_maker maker;
     duct_feature_maker_init(&maker, options);
-    for (size_t i = 0; i < count; i++) {
-        duct_feature_row(&maker, x, y, count, i, at[i], length - at[i], rows + i * dimensions);
+    duct_status status = DUCT_OK;
+    if (options->kind == DUCT_FEATURE_CONTEXTS) {
+        for (size_t i = 0; i < count; i++) {
+            duct_feature_row(&maker, x, y, count, i, at[i], length - at[i], rows + i * dimensions);
+        }
+    } else {
+        for (size_t i = 0; i < count; i++) {
+            rows[i * dimensions] = closeness(at[i], options->reach);
+            rows[i * dimensions + 1] = closeness(length - at[i], options->reach);
+        }
+        status = duct_velocity_taps_of_all(allocator, &maker.filter, x, y, count, options->weight,
+                                           rows + ENDS, dimensions, error);
     }
     duct_release(allocator, at);
-    return DUCT_OK;
+    return status;
 }

@@ -2,6 +2,10 @@
 #ifndef DUCTUS_FEATURES_VELOCITIES_H
 #define DUCTUS_FEATURES_VELOCITIES_H
 
+#include "base/memory.h"
+
+#include <ductus/status.h>
+
 #include <stddef.h>
 
 /* Filtered velocities, "HelpingHand" section 4.1.2: M = N = 7 triangle filters before and after a sample and
@@ -23,5 +27,11 @@ void duct_velocity_filter_init(duct_velocity_filter *filter, double reach);
 /* The taps of sample `i`, times `weight`, as x and y of tap -7, -6, ... 7. */
 void duct_velocity_taps(const duct_velocity_filter *filter, const double *x, const double *y, size_t count,
                         size_t i, double weight, float taps[DUCT_VELOCITY_DIMENSIONS]);
+
+/* The same of all `count` samples, to the same bits and much faster: sample i's begin at taps + i *
+ * dimensions. Errors: DUCT_NO_MEMORY. */
+duct_status duct_velocity_taps_of_all(const duct_allocator *allocator, const duct_velocity_filter *filter,
+                                      const double *x, const double *y, size_t count, double weight,
+                                      float *taps, size_t dimensions, duct_error *error);
 
 #endif

@@ -53,6 +53,8 @@ typedef enum duct_svg_kind {
     DUCT_SVG_LINE,
     DUCT_SVG_POLYLINE,
     DUCT_SVG_POLYGON,
+    DUCT_SVG_TEXT, /* this and images are visited, but are no strokes */
+    DUCT_SVG_IMAGE,
     DUCT_SVG_OTHER /* everything else: not drawn, with all that it holds */
 } duct_svg_kind;
 

@@ -14,10 +14,14 @@ typedef struct {
     double tolerance;
     bool fills;
     size_t parts;
+    int unpainted;
 } reader;
 
 bool duct_svg_takes(const duct_svg_shape *shape, bool fills)
 {
+    if (shape->kind >= DUCT_SVG_TEXT) {
+        return false;
+    }
     return fills ? duct_svg_style_fills(&shape->style) : duct_svg_style_strokes(&shape->style);
 }
 
@@ -83,9 +87,25 @@ static duct_status add_stroke(reader *r, const duct_svg_shape *shape, const duct
     return DUCT_OK;
 }
 
+/* What of the element nobody sees who sees its strokes only. */
+static int unpainted(const duct_svg_shape *shape)
+{
+    switch (shape->kind) {
+    case DUCT_SVG_TEXT:
+        return DUCT_UNPAINTED_TEXT;
+    case DUCT_SVG_IMAGE:
+        return DUCT_UNPAINTED_IMAGES;
+    case DUCT_SVG_LINE:
+        return 0;
+    default:
+        return duct_svg_style_fills(&shape->style) ? DUCT_UNPAINTED_FILLS : 0;
+    }
+}
+
 static duct_status visit(void *user, const duct_svg_shape *shape, duct_error *error)
 {
     reader *r = user;
+    r->unpainted |= unpainted(shape);
     if (!duct_svg_takes(shape, r->fills)) {
         return DUCT_OK;
     }
@@ -166,6 +186,7 @@ static duct_status set_origin(const reader *r, const char *data, size_t size, du
     memcpy(copy, data, size);
     atomic_init(&origin->base.references, 1);
     origin->base.format = "svg";
+    origin->base.unpainted = r->unpainted;
     origin->base.destroy = destroy;
     origin->allocator = *r->allocator;
     origin->data = copy;

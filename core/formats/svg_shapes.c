@@ -114,6 +114,8 @@ void duct_svg_shape_path(const duct_svg_shape *shape, duct_path *path)
     case DUCT_SVG_SVG:
     case DUCT_SVG_A:
     case DUCT_SVG_SWITCH:
+    case DUCT_SVG_TEXT:
+    case DUCT_SVG_IMAGE:
     case DUCT_SVG_OTHER:
         break;
     }

@@ -6,29 +6,10 @@
 
 #include "base/error.h"
 #include "base/pool.h"
+#include "helpinghand/leaves.h"
 
 #include <math.h>
 #include <string.h>
-
-double duct_jump_distance(const duct_jump_space *space, uint32_t from, uint32_t to)
-{
-    const duct_jump_vector *a = &space->vectors[from], *b = &space->vectors[to];
-    if (space->direction) {
-        return 1 - (a->linear[0] * b->linear[0] + a->linear[1] * b->linear[1]);
-    }
-    double square = 0;
-    for (int i = 0; i < DUCT_JUMP_LINEAR; i++) {
-        double difference = a->linear[i] - b->linear[i];
-        square += difference * difference;
-    }
-    if (space->twist_deviation > 0) {
-        double turn = fabs(a->twist - b->twist);
-        turn = turn > M_PI ? fabs(remainder(turn, 2 * M_PI)) : turn;
-        turn /= space->twist_deviation;
-        square += turn * turn;
-    }
-    return sqrt(square);
-}
 
 duct_transition duct_transition_of(const duct_candidate *from, const duct_candidate *to, bool repeated)
 {
@@ -144,8 +125,7 @@ typedef struct {
     size_t states; /* a candidate: 2 L_min, at most 64 */
     size_t widest; /* candidates in the widest column */
     double penalty[DUCT_MOST_SHORTEST + 1];
-    leave *leaves;   /* of the column before */
-    double cheapest; /* of these */
+    duct_leaves leaves; /* of the column before */
 } solver;
 
 static size_t column_size(const solver *self, size_t i)
@@ -207,32 +187,18 @@ static void extend(const solver *self, const line *from, size_t p, uint32_t delt
 
 /* Begins a segment at candidate `here`, jumping from whichever candidate of the column before is best, if
  * that costs less than `limit`. */
-static void jump(const solver *self, const duct_candidate *before, size_t before_count,
-                 const duct_candidate *here, double limit, double *row, back *backs, uint64_t *alive)
+static void jump(const solver *self, const duct_candidate *before, const duct_candidate *here, double limit,
+                 double *row, back *backs, uint64_t *alive)
 {
-    double best = limit;
-    size_t chosen = before_count;
     /* Distances are not negative beyond rounding: most candidates need no look at where one could jump from.
      */
-    if (self->cheapest + self->costs->jump - 1e-9 >= best) {
+    if (self->leaves.cheapest + self->costs->jump - 1e-9 >= limit) {
         return;
     }
-    for (size_t p = 0; p < before_count; p++) {
-        double total = self->leaves[p].cost + self->costs->jump;
-        if (total - 1e-9 >= best) {
-            continue;
-        }
-        if (before[p].stroke == here->stroke && here->sample - before[p].sample <= 2) {
-            continue;
-        }
-        total += self->costs->distance * duct_jump_distance(self->space, before[p].sample, here->sample);
-        if (total < best) {
-            best = total;
-            chosen = p;
-        }
-    }
-    if (chosen < before_count) {
-        offer(row, backs, alive, state_of(1, false), best, chosen, self->leaves[chosen].state);
+    double best = limit;
+    size_t chosen = duct_leaves_best(&self->leaves, self->space, self->costs, before, here, &best);
+    if (chosen < self->leaves.count) {
+        offer(row, backs, alive, state_of(1, false), best, chosen, self->leaves.states[chosen]);
     }
 }
 
@@ -275,11 +241,12 @@ static void step(solver *self, size_t i, const line *from, const line *to, back 
 {
     const duct_candidate *before = column(self, i - 1), *here = column(self, i);
     size_t before_count = column_size(self, i - 1), count = column_size(self, i), first = 0;
-    self->cheapest = INFINITY;
+    duct_leaves_clear(&self->leaves);
     for (size_t p = 0; p < before_count; p++) {
-        self->leaves[p] = best_leave(self, from, p, ~(uint64_t)0);
-        self->cheapest = self->leaves[p].cost < self->cheapest ? self->leaves[p].cost : self->cheapest;
+        leave best = best_leave(self, from, p, ~(uint64_t)0);
+        duct_leaves_add(&self->leaves, self->space, before[p].sample, best.cost, best.state);
     }
+    duct_leaves_finish(&self->leaves, self->costs);
     for (size_t j = 0; j < count; j++) {
         double *row = to->costs + j * self->states;
         back *row_backs = backs != NULL ? backs + j * self->states : NULL;
@@ -304,7 +271,7 @@ static void step(solver *self, size_t i, const line *from, const line *to, back 
                 }
             }
         }
-        jump(self, before, before_count, &here[j], cheapest_fresh(row, alive), row, row_backs, &alive);
+        jump(self, before, &here[j], cheapest_fresh(row, alive), row, row_backs, &alive);
         drop_dominated(self->costs, row, &alive);
         for (uint64_t left = alive; left != 0; left &= left - 1) {
             row[__builtin_ctzll(left)] += (double)here[j].distance;
@@ -420,10 +387,10 @@ duct_status duct_sequence_solve(const duct_allocator *allocator, const duct_colu
     line pair = {duct_alloc_raw(allocator, 2 * row, sizeof(double)),
                  duct_alloc(allocator, 2 * self.widest, sizeof(uint64_t))};
     back *backs = duct_alloc_raw(allocator, stride * row, sizeof *backs);
-    self.leaves = duct_alloc(allocator, self.widest, sizeof *self.leaves);
+    bool left = duct_leaves_make(&self.leaves, allocator, self.widest);
     duct_status status = DUCT_OK;
     if (kept.costs == NULL || kept.alive == NULL || pair.costs == NULL || pair.alive == NULL ||
-        backs == NULL || self.leaves == NULL) {
+        backs == NULL || !left) {
         status = duct_fail_memory(error);
     } else {
         status = solve(&self, stride, &kept, &pair, backs, chosen, error);
@@ -433,6 +400,6 @@ duct_status duct_sequence_solve(const duct_allocator *allocator, const duct_colu
     duct_release(allocator, pair.costs);
     duct_release(allocator, pair.alive);
     duct_release(allocator, backs);
-    duct_release(allocator, self.leaves);
+    duct_leaves_free(&self.leaves, allocator);
     return status;
 }

@@ -4,6 +4,7 @@
  *
  * Bounds only rule out what is clearly too far, and every distance that counts is summed up dimension by
  * dimension, so the answer is the same bits whatever the order of the walk, the hints and the processor. */
+#include "search/abreast.h"
 #include "search/exact_private.h"
 
 #include "base/error.h"
@@ -18,15 +19,12 @@ enum {
     STEP = 8,     /* coordinates between two looks at what is left */
     MOST_K = 128, /* beyond, rows are kept in a heap */
     ROOM = 2 * MOST_K + 32,
-    ABREAST = 8 /* rows whose sums are formed side by side */
+    ABREAST = DUCT_ABREAST
 };
 
 /* Floats side by side; the compiler turns them into what the processor has. */
 typedef float lanes __attribute__((vector_size(LANES * sizeof(float)), aligned(sizeof(float))));
 typedef int32_t masks __attribute__((vector_size(LANES * sizeof(int32_t))));
-typedef float fours __attribute__((vector_size(4 * sizeof(float))));
-typedef float loose_fours __attribute__((vector_size(4 * sizeof(float)), aligned(sizeof(float))));
-typedef int32_t four_places __attribute__((vector_size(4 * sizeof(int32_t))));
 
 /* The rows found so far. */
 typedef struct {
@@ -108,48 +106,6 @@ static void keep(walk *self, float square, uint32_t row)
     }
 }
 
-/* Four dimensions of four rows each come in, and are turned so that a row's squares lie in one lane. */
-WIDE_PART void add_squares(fours values, const float *const *rows, size_t at, fours *sum)
-{
-    fours a = values - *(const loose_fours *)(rows[0] + at),
-          b = values - *(const loose_fours *)(rows[1] + at);
-    fours c = values - *(const loose_fours *)(rows[2] + at),
-          d = values - *(const loose_fours *)(rows[3] + at);
-    a *= a;
-    b *= b;
-    c *= c;
-    d *= d;
-    fours ab = __builtin_shuffle(a, b, (four_places){0, 4, 1, 5});
-    fours cd = __builtin_shuffle(c, d, (four_places){0, 4, 1, 5});
-    *sum += __builtin_shuffle(ab, cd, (four_places){0, 1, 4, 5});
-    *sum += __builtin_shuffle(ab, cd, (four_places){2, 3, 6, 7});
-    ab = __builtin_shuffle(a, b, (four_places){2, 6, 3, 7});
-    cd = __builtin_shuffle(c, d, (four_places){2, 6, 3, 7});
-    *sum += __builtin_shuffle(ab, cd, (four_places){0, 1, 4, 5});
-    *sum += __builtin_shuffle(ab, cd, (four_places){2, 3, 6, 7});
-}
-
-/* Squared distances of ABREAST rows, each summed up in the order of the dimensions. */
-WIDE_PART void squares_abreast(const float *query, const float *const *rows, size_t dimensions,
-                               float *squares)
-{
-    fours low = {0}, high = {0};
-    size_t d = 0;
-    for (; d + 4 <= dimensions; d += 4) {
-        fours values = *(const loose_fours *)(query + d);
-        add_squares(values, rows, d, &low);
-        add_squares(values, rows + 4, d, &high);
-    }
-    memcpy(squares, &low, sizeof low);
-    memcpy(squares + 4, &high, sizeof high);
-    for (; d < dimensions; d++) {
-        for (size_t i = 0; i < ABREAST; i++) {
-            float difference = query[d] - rows[i][d];
-            squares[i] += difference * difference;
-        }
-    }
-}
-
 /* Compares the last `many` of the pending rows in full. */
 WIDE_PART void compare_pending(walk *self, size_t many)
 {
@@ -160,7 +116,7 @@ WIDE_PART void compare_pending(walk *self, size_t many)
     for (size_t i = 0; i < ABREAST; i++) {
         rows[i] = base->rows + self->pending[first + (i < many ? i : 0)] * base->dimensions;
     }
-    squares_abreast(self->query, rows, base->dimensions, squares);
+    duct_squares_abreast(self->query, rows, base->dimensions, squares);
     self->pending_count = first;
     for (size_t i = 0; i < many; i++) {
         keep(self, squares[i], self->pending[first + i]);
@@ -172,7 +128,7 @@ WIDE_PART unsigned within(const lanes *bounds, float limit)
 {
     masks in = *bounds <= limit;
 #if defined(__SSE__)
-    fours low, high;
+    duct_fours low, high;
     memcpy(&low, &in, sizeof low);
     memcpy(&high, (const char *)&in + sizeof low, sizeof high);
     return (unsigned)__builtin_ia32_movmskps(low) | (unsigned)__builtin_ia32_movmskps(high) << 4;
@@ -310,7 +266,7 @@ WIDE_PART void limit_by_hints(walk *self, const uint32_t *hints, size_t hint_cou
             for (; waiting < ABREAST; waiting++) {
                 rows[waiting] = rows[0];
             }
-            squares_abreast(self->query, rows, base->dimensions, squares);
+            duct_squares_abreast(self->query, rows, base->dimensions, squares);
             for (size_t n = 0; n < ABREAST; n++) {
                 most = squares[n] > most ? squares[n] : most;
             }

@@ -20,7 +20,8 @@ typedef double quads __attribute__((vector_size(4 * sizeof(double)), aligned(siz
 /* Squares of larger numbers could overflow. */
 static const double too_large = 1e15;
 
-WIDE bool duct_exact_place(const duct_exact *self, const float *row, float *place)
+/* Static, because a function in several versions is exported from the library whatever its visibility. */
+WIDE static bool find_place(const duct_exact *self, const float *row, float *place)
 {
     size_t dimensions = self->base.dimensions, coordinates = self->coordinates;
     double off[DUCT_EXACT_MOST_DIMENSIONS], square = 0, held = 0;
@@ -47,6 +48,11 @@ WIDE bool duct_exact_place(const duct_exact *self, const float *row, float *plac
     /* The last axis is 0: its place is for what the others leave over. */
     place[coordinates - 1] = square > held ? (float)sqrt(square - held) : 0;
     return square < too_large * too_large;
+}
+
+bool duct_exact_place(const duct_exact *self, const float *row, float *place)
+{
+    return find_place(self, row, place);
 }
 
 /* ---- principal axes ---- */

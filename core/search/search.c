@@ -2,6 +2,7 @@
 #include "search/search_private.h"
 
 #include "base/error.h"
+#include "search/abreast.h"
 
 #include <math.h>
 
@@ -40,6 +41,22 @@ size_t duct_search_nearest(const duct_search *search, const float *query, size_t
 float duct_feature_distance(const float *query, const float *row, size_t dimensions)
 {
     return sqrtf(duct_feature_square(query, row, dimensions));
+}
+
+WIDE void duct_feature_distances(const float *query, const float *rows, size_t dimensions,
+                                 const uint32_t *which, size_t count, float *distances)
+{
+    for (size_t first = 0; first < count; first += DUCT_ABREAST) {
+        const float *places[DUCT_ABREAST];
+        float squares[DUCT_ABREAST];
+        for (size_t i = 0; i < DUCT_ABREAST; i++) {
+            places[i] = rows + (size_t)which[first + i < count ? first + i : first] * dimensions;
+        }
+        duct_squares_abreast(query, places, dimensions, squares);
+        for (size_t i = 0; i < DUCT_ABREAST && first + i < count; i++) {
+            distances[first + i] = sqrtf(squares[i]);
+        }
+    }
 }
 
 duct_status duct_search_sequence(const duct_search *search, const duct_allocator *allocator,

@@ -56,4 +56,8 @@ duct_status duct_search_sequence(const duct_search *search, const duct_allocator
 /* The distance between a query and a row, computed as the methods do. */
 float duct_feature_distance(const float *query, const float *row, size_t dimensions);
 
+/* The same for `count` of the `rows`. */
+void duct_feature_distances(const float *query, const float *rows, size_t dimensions, const uint32_t *which,
+                            size_t count, float *distances);
+
 #endif

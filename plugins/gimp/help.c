@@ -3,19 +3,15 @@
 
 #include <libgimp/gimp.h>
 
-/* The page lies beside the program, or where the installation put it. */
+/* The page lies beside the program. */
 static char *find_page(void)
 {
     char *program = g_file_read_link("/proc/self/exe", NULL);
-    char *folder = program != NULL ? g_path_get_dirname(program) : NULL;
-    char *beside = folder != NULL ? g_build_filename(folder, "gimp.html", NULL) : NULL;
+    char *folder = program != NULL ? g_path_get_dirname(program) : g_strdup(".");
+    char *page = g_build_filename(folder, "gimp.html", NULL);
     g_free(folder);
     g_free(program);
-    if (beside != NULL && g_file_test(beside, G_FILE_TEST_EXISTS)) {
-        return beside;
-    }
-    g_free(beside);
-    return g_strdup(DUCTUS_HELP_PAGE);
+    return page;
 }
 
 void plug_help(const gchar *id, gpointer data)

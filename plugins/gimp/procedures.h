@@ -23,7 +23,7 @@ void plug_procedures_install(void);
 /* What a procedure's name stands for; false where it is none of ours. */
 bool plug_procedure_find(const char *name, const duct_operation **operation, const plug_variant **variant);
 
-/* The name without the variant's suffix, under which the values of all variants but the text one are kept. */
+/* The procedure's name. */
 void plug_procedure_name(const duct_operation *operation, const plug_variant *variant, char *name,
                          size_t size);
 

@@ -42,6 +42,10 @@ duct_status plug_result_check(const struct job *job, duct_error *error)
     if (!gimp_image_is_valid(job->image)) {
         return plug_fail(error, DUCT_BAD_ARGUMENT, "there is no image of that number");
     }
+    if ((job->drawable > 0 && gimp_item_get_image(job->drawable) != job->image) ||
+        (job->vectors > 0 && gimp_item_get_image(job->vectors) != job->image)) {
+        return plug_fail(error, DUCT_BAD_ARGUMENT, "the layer or path given belongs to another image");
+    }
     if (!plug_option_paints(job->options)) {
         return DUCT_OK;
     }

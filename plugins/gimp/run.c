@@ -78,23 +78,31 @@ duct_status plug_run(const struct job *job, struct result *result, duct_error *e
     if (status != DUCT_OK) {
         return status;
     }
+    gint64 times[4] = {g_get_monotonic_time(), 0, 0, 0};
     gimp_progress_init(job->operation->label);
     duct_context context = context_of(&bar, 0, 0.2);
     status = plug_lines_open(job, NULL, NULL, &lines, error);
     if (status == DUCT_OK) {
         status = plug_lines_find(&lines, &context, error);
     }
+    times[1] = g_get_monotonic_time();
     if (status == DUCT_OK) {
         work.input = lines.drawing;
         work.context = context_of(&bar, 0.2, 0.9);
         status = plug_work_run(&work);
         *error = work.error;
     }
+    times[2] = g_get_monotonic_time();
     if (status == DUCT_OK) {
         context = context_of(&bar, 0.9, 1);
         status = plug_result_commit(job, &context, &work, result, error);
         plug_work_done(&work);
     }
+    times[3] = g_get_monotonic_time();
+    /* For bench/gimp.py; G_MESSAGES_DEBUG=ductus shows it. */
+    g_debug("seconds: lines %.3f, operation %.3f, brush %.3f, image %.3f",
+            (double)(times[1] - times[0]) / 1e6, (double)(times[2] - times[1]) / 1e6 - work.brush_seconds,
+            work.brush_seconds, (double)(times[3] - times[2]) / 1e6);
     plug_lines_close(&lines);
     duct_brush_free(brush);
     gimp_progress_end();

@@ -5,6 +5,15 @@
 
 #include <string.h>
 
+/* The procedure whose values these are; the text procedure has those of the one that takes them one by one.
+ */
+static void name_of(const struct job *job, char *name, size_t size)
+{
+    plug_variant variant = *job->variant;
+    variant.suffix = variant.as_text ? "" : variant.suffix;
+    plug_procedure_name(job->operation, &variant, name, size);
+}
+
 /* The user's file of a procedure; free with g_free(). */
 static char *file_of(const char *procedure)
 {
@@ -27,7 +36,7 @@ static void read_values(struct job *job, const char *text)
 void plug_values_load(struct job *job)
 {
     char name[PLUG_NAME_SIZE];
-    plug_procedure_name(job->operation, job->variant, name, sizeof name);
+    name_of(job, name, sizeof name);
     int size = gimp_get_data_size(name);
     char *text = NULL;
     if (size > 0) {
@@ -51,7 +60,7 @@ void plug_values_load(struct job *job)
 void plug_values_keep(const struct job *job)
 {
     char name[PLUG_NAME_SIZE];
-    plug_procedure_name(job->operation, job->variant, name, sizeof name);
+    name_of(job, name, sizeof name);
     char *text = plug_job_write_text(job);
     gimp_set_data(name, text, (guint32)strlen(text));
     char *file = file_of(name);

@@ -3,7 +3,7 @@
 
 #include "failure.h"
 
-#include <stddef.h>
+#include <glib.h>
 
 /* A share of a longer work's progress. */
 struct share {
@@ -52,7 +52,9 @@ duct_status plug_work_run(struct work *work)
     work->canvas = NULL;
     duct_status status = work->known != NULL ? DUCT_OK : operate(work, split);
     if (status == DUCT_OK && work->brush != NULL) {
+        gint64 begun = g_get_monotonic_time();
         status = paint(work, split);
+        work->brush_seconds = (double)(g_get_monotonic_time() - begun) / 1e6;
     }
     if (status != DUCT_OK) {
         plug_work_done(work);

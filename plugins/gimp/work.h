@@ -19,6 +19,7 @@ struct work {
     duct_drawing *output; /* the results; NULL where it failed, or was known */
     duct_canvas *canvas;
     duct_error error;
+    double brush_seconds; /* how long painting took */
 };
 
 /* Progress goes through the context from 0 to 1. */

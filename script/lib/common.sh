@@ -18,7 +18,7 @@ packages=(
 host_packages=(
   gimp inkscape blender
   python3-lxml python3-cssselect python3-numpy
-  xvfb xauth xdotool x11-utils imagemagick
+  xvfb xauth xdotool x11-utils imagemagick openbox
 )
 
 say() { printf '==> %s\n' "$*"; }

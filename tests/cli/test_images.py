@@ -107,6 +107,25 @@ class ImageTest(ProgramTest):
     def test_the_same_bytes_again(self):
         self.assertEqual(self.render("--brush", self.brushes()[0])[4], self.render("--brush", self.brushes()[0])[4])
 
+    def test_what_is_not_painted_is_named(self):
+        def said(inside, *words):
+            line = '<path d="M10 10C50 90 90 10 150 90" fill="none" stroke="black"/><path d="M0 0h5v5z" fill="none"/>'
+            size = 'xmlns="http://www.w3.org/2000/svg" width="200" height="100"'
+            self.file("more.svg", f"<svg {size}>{line}{inside}</svg>")
+            done = self.run_program("render", "more.svg", "-o", "more.png", *words)
+            self.assertEqual(done.returncode, 0)
+            return done.stderr.decode()
+
+        fill, text, image = '<rect width="9" height="9"/>', '<text y="20">A</text>', '<image width="9" height="9"/>'
+        begin = "ductus: more.png: only lines are painted; the drawing's "
+        self.assertEqual(said(""), "")
+        self.assertEqual(said(fill), begin + "fills are not\n")
+        self.assertEqual(said(f"<g>{image}</g>{text}"), begin + "text and images are not\n")
+        self.assertEqual(said(fill + text + image), begin + "fills, text and images are not\n")
+        self.assertEqual(said(fill + text + image, "--quiet"), "")
+        self.assertEqual(said(f'<g display="none">{fill + text}</g><defs>{image}</defs>'), "")
+        self.assertEqual(self.run_program("convert", "more.svg", "-o", "again.svg").stderr, b"")
+
     def test_standard_output(self):
         self.succeed("render", "in.svg", "-o", "out.png")
         data = self.succeed("render", "in.svg", "-o", "-", "--to", "png")

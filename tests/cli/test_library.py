@@ -3,6 +3,7 @@
 
 import json
 import pathlib
+import re
 import unittest
 
 from program import ProgramTest, operations, recording, svg, waves
@@ -43,6 +44,17 @@ class LibraryTest(ProgramTest):
         self.succeed("library", "build", "a.inkml", "b.inkml", "-o", target)
         both = [h for h in json.loads(self.succeed("library", "list", "--json")) if h["path"] == str(target)]
         self.assertEqual(both[0]["strokes"], 12)
+
+    def test_a_channel_that_some_recordings_lack_is_not_lost_in_silence(self):
+        self.file("pen.inkml", recording(strokes=5))
+        bare = recording(strokes=4).replace('<channel name="F" type="decimal"/>', "")
+        self.file("bare.inkml", re.sub(r" [0-9.]+(?=,|</trace>)", "", bare))
+        words = ("library", "build", "pen.inkml", "bare.inkml", "-o", "both.inkml")
+        done = self.run_program(*words)
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual(done.stderr.decode(), "ductus: bare.inkml has no pressure; so the library goes without\n")
+        self.assertEqual(self.run_program(*words, "--quiet").stderr, b"")
+        self.assertEqual(self.run_program("library", "build", "bare.inkml", "-o", "bare2.inkml").stderr, b"")
 
     def test_built_in_hands_say_that_they_are_synthetic(self):
         builtin = [h for h in json.loads(self.succeed("library", "list", "--json")) if h["builtin"]]

@@ -144,6 +144,30 @@ static void direction_matters(void **state)
     assert_true(there[100 * DIMENSIONS + 16] > 0.29f);
 }
 
+/* All samples at once are what one after the other is, to the bit. */
+static void a_whole_stroke_is_its_samples(void **state)
+{
+    (void)state;
+    static const size_t counts[] = {1, 2, 3, 4, 5, 9, 61, COUNT};
+    static const double reaches[] = {7, 12, 40, 200};
+    duct_error error;
+    double x[COUNT], y[COUNT];
+    float all[COUNT * DIMENSIONS], one[DIMENSIONS - 2];
+    make_curve(x, y, COUNT, 0.3);
+    for (size_t r = 0; r < 4; r++) {
+        const duct_feature_options wanted = {DUCT_FEATURE_VELOCITIES, reaches[r], 0.3};
+        duct_velocity_filter filter;
+        duct_velocity_filter_init(&filter, reaches[r]);
+        for (size_t c = 0; c < sizeof counts / sizeof *counts; c++) {
+            assert_ok(duct_features_compute(duct_allocator_of(NULL), &wanted, x, y, counts[c], all, &error));
+            for (size_t i = 0; i < counts[c]; i++) {
+                duct_velocity_taps(&filter, x, y, counts[c], i, 0.3, one);
+                assert_memory_equal(all + i * DIMENSIONS + 2, one, sizeof one);
+            }
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -153,6 +177,7 @@ int main(void)
         cmocka_unit_test(ends_are_told_from_the_middle),
         cmocka_unit_test(features_do_not_depend_on_the_place),
         cmocka_unit_test(direction_matters),
+        cmocka_unit_test(a_whole_stroke_is_its_samples),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

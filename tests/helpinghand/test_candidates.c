@@ -22,6 +22,31 @@ static void wave(size_t count, double phase, double *x, double *y)
     }
 }
 
+/* Waves in three recordings that weigh differently. */
+static duct_library *make_weighted_library(void)
+{
+    duct_error error;
+    duct_drawing *recordings[3];
+    for (size_t r = 0; r < 3; r++) {
+        assert_ok(duct_drawing_new(NULL, &recordings[r], &error));
+        for (size_t s = 0; s < STROKES / 3; s++) {
+            duct_stroke *stroke;
+            assert_ok(duct_drawing_add_stroke(recordings[r], "", SAMPLES, &stroke, &error));
+            wave(SAMPLES, 0.2 * (double)(3 * s + r), duct_stroke_edit(stroke, DUCT_X),
+                 duct_stroke_edit(stroke, DUCT_Y));
+        }
+    }
+    const double weights[] = {1, 20, 0.05};
+    const duct_library_options options = {.unit = 1, .name = "waves", .weights = weights};
+    duct_library *library;
+    assert_ok(
+        duct_library_build(NULL, (const duct_drawing *const *)recordings, 3, &options, &library, &error));
+    for (size_t r = 0; r < 3; r++) {
+        duct_drawing_free(recordings[r]);
+    }
+    return library;
+}
+
 static duct_library *make_library(void)
 {
     duct_error error;
@@ -89,6 +114,64 @@ static void columns_of_a_long_stroke_hold_the_nearest(void **state)
     }
     free(x);
     free(y);
+    duct_library_free(library);
+}
+
+/* How many of the library's samples are nearer by weighted distance, or as near and before it. */
+static size_t rank_of(const duct_library *library, const duct_feature_index *index, const float *row,
+                      const duct_candidate *candidate)
+{
+    size_t rank = 0;
+    for (uint32_t i = 0; i < library->sample_count; i++) {
+        double weight = library->weights[duct_library_stroke_of(library, i)];
+        float distance = duct_feature_distance(row, index->rows + i * index->dimensions, index->dimensions);
+        float weighted = (float)((double)distance / weight);
+        rank += weighted < candidate->distance || (weighted == candidate->distance && i < candidate->sample);
+    }
+    return rank;
+}
+
+/* Not the weighted order of those that are nearest without weights. */
+static void weights_find_what_is_nearest_by_them(void **state)
+{
+    (void)state;
+    static const duct_search_kind kinds[] = {DUCT_SEARCH_EXACT, DUCT_SEARCH_FLANN};
+    duct_error error;
+    duct_library *library = make_weighted_library();
+    double x[SAMPLES], y[SAMPLES];
+    wave(SAMPLES, 0.5, x, y);
+    for (size_t round = 0; round < 4; round++) {
+        duct_candidate_options options = options_of(round >= 2);
+        duct_feature_index index;
+        duct_columns columns;
+        assert_ok(duct_library_features(library, &options.features, kinds[round % 2], &index, &error));
+        float *rows = calloc(SAMPLES * index.dimensions, sizeof *rows);
+        assert_ok(
+            duct_features_compute(duct_allocator_of(NULL), &options.features, x, y, SAMPLES, rows, &error));
+        assert_ok(duct_candidates_find(duct_allocator_of(NULL), library, &index, &options, x, y, SAMPLES,
+                                       &columns, &error));
+        size_t unweighted = 0;
+        for (size_t i = 0; i < SAMPLES; i++) {
+            const float *row = rows + i * index.dimensions;
+            uint32_t near[K];
+            float distances[K];
+            size_t best = 0;
+            duct_search_nearest(index.search, row, K, NULL, 0, near, distances);
+            for (size_t c = columns.starts[i]; c < columns.starts[i + 1]; c++) {
+                best += rank_of(library, &index, row, &columns.items[c]) < K;
+            }
+            assert_int_equal(best, K);
+            for (size_t n = 0; n < K; n++) {
+                for (size_t c = columns.starts[i]; c < columns.starts[i + 1]; c++) {
+                    unweighted += columns.items[c].sample == near[n];
+                }
+            }
+        }
+        /* Else the weights would have changed nothing here. */
+        assert_true(options.coherent || unweighted < (SAMPLES * K) / 2);
+        duct_columns_free(duct_allocator_of(NULL), &columns);
+        free(rows);
+    }
     duct_library_free(library);
 }
 
@@ -220,6 +303,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(columns_of_a_long_stroke_hold_the_nearest),
+        cmocka_unit_test(weights_find_what_is_nearest_by_them),
         cmocka_unit_test(every_method_gives_ordered_columns),
         cmocka_unit_test(results_do_not_depend_on_threads),
         cmocka_unit_test(survives_failing_allocations),

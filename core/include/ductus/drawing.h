@@ -82,6 +82,17 @@ DUCT_API bool duct_drawing_annotation_at(const duct_drawing *drawing, size_t ind
 /* True where any stroke has the channel. */
 DUCT_API bool duct_drawing_has(const duct_drawing *drawing, duct_channel channel);
 
+/* What a file shows that is no stroke: it stays in the file when that is written in its own format, and is
+ * not painted. */
+typedef enum duct_unpainted {
+    DUCT_UNPAINTED_FILLS = 1,
+    DUCT_UNPAINTED_TEXT = 2,
+    DUCT_UNPAINTED_IMAGES = 4
+} duct_unpainted;
+
+/* The sum of what the file that the drawing was read from shows of these; 0 where there is none. */
+DUCT_API int duct_drawing_unpainted(const duct_drawing *drawing);
+
 /* The smallest box around all samples, in drawing pixels. False where there are none (the box is then 0). */
 DUCT_API bool duct_drawing_bounds(const duct_drawing *drawing, double box[4] /* x0 y0 x1 y1 */);
 

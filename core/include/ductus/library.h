@@ -32,7 +32,9 @@ typedef struct duct_library_options {
     size_t scale_count;
     /* One for each recording, within 0.001 and 1000; NULL: all 1. In matching, the feature distance of a
      * candidate from a recording is divided by its weight, so that one of weight 2 is taken where it is up to
-     * twice as far. Weights that a recording, being a library itself, brings along are multiplied by it. */
+     * twice as far: restyle's candidates are the nearest by that distance (with PatchMatch, but for those
+     * that it misses). Pose while drawing (stream.h) takes no heed of weights. Weights that a recording,
+     * being a library itself, brings along are multiplied by it. */
     const double *weights;
 } duct_library_options;
 

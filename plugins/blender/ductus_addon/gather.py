@@ -291,28 +291,25 @@ def write(host, work, job):
             (piece, FramePlan(piece.number, piece.base, changed, added, gone)))
 
     lines = drawings = 0
-    done = []
-    try:
-        for by_layer in plans.values():
-            ob = next(iter(by_layer.values()))[0][0].ob
-            entries = originals.Originals(host, ob)
-            hidden = {layer.name: layer.hidden for layer in host.layers(ob)}
-            layer_plans = []
-            for (layer, target), frames in by_layer.items():
-                drop = work.drops.get((ob.name, layer), frozenset())
-                touched = [frame for _, frame in frames
-                           if frame.changes or frame.additions or frame.removals or frame.number != frame.base]
-                lines += sum(len(frame.changes) + len(frame.additions) for frame in touched)
-                drawings += len(touched)
-                if touched or drop or target != layer:
-                    layer_plans.append(LayerPlan(layer, target, [frame for _, frame in frames], drop))
-            host.write(ob, layer_plans)
-            done.append(ob)
-            _remember(host, ob, entries, by_layer, hidden)
-    except BaseException:
-        for ob in done:
-            print(f"Ductus: '{ob.name}' had been changed already; undo brings it back")
-        raise
+    todo, after = [], []
+    for by_layer in plans.values():
+        ob = next(iter(by_layer.values()))[0][0].ob
+        entries = originals.Originals(host, ob)
+        hidden = {layer.name: layer.hidden for layer in host.layers(ob)}
+        layer_plans = []
+        for (layer, target), frames in by_layer.items():
+            drop = work.drops.get((ob.name, layer), frozenset())
+            touched = [frame for _, frame in frames
+                       if frame.changes or frame.additions or frame.removals or frame.number != frame.base]
+            lines += sum(len(frame.changes) + len(frame.additions) for frame in touched)
+            drawings += len(touched)
+            if touched or drop or target != layer:
+                layer_plans.append(LayerPlan(layer, target, [frame for _, frame in frames], drop))
+        todo.append((ob, layer_plans))
+        after.append((ob, entries, by_layer, hidden))
+    host.write(todo)
+    for one in after:
+        _remember(host, *one)
     return lines, drawings
 
 

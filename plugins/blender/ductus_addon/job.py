@@ -219,8 +219,15 @@ class Job:
 
     def _put_back(self, changed, strokes, keys, turns, layout, pen):
         """All lines that follow a changed one get its result, each in its own place."""
-        if not changed:
-            return
+        sizes = np.cumsum([len(channels["x"]) for channels, _, _ in strokes]) if strokes else np.zeros(0, dtype=int)
+        begin = 0
+        for end in np.append(np.flatnonzero(np.diff(sizes // CHUNK)) + 1, len(strokes)).tolist():
+            if end > begin:
+                self._put_back_results(changed[begin:end], strokes[begin:end], keys, turns, layout, pen)
+                strokes[begin:end] = [None] * (end - begin)
+            begin = end
+
+    def _put_back_results(self, changed, strokes, keys, turns, layout, pen):
         # Which line's result (by its number among `changed`) each line gets.
         number = np.full(len(self), -1)
         number[changed] = np.arange(len(changed))
@@ -237,12 +244,21 @@ class Job:
         changed = np.array(changed)
         closed = self.lines.closed[changed]
         place = self._places(changed, new_counts, closed, moved, layout)
+        kept = self._kept(changed, new_counts, place[0], joined["pressure"], layout, pen)
         receivers = np.flatnonzero(source >= 0)
         sizes = np.cumsum(new_counts[source[receivers]])
         for cut in np.split(receivers, np.flatnonzero(np.diff(sizes // CHUNK)) + 1):
             if not self._progress(1.0):
                 raise Stopped
-            self._put_back_some(cut, source[cut], strokes, changed, begin, moved, place, joined, turns, layout, pen)
+            self._put_back_some(cut, source[cut], strokes, changed, begin, moved, place, joined, kept, turns, layout, pen)
+
+    def _kept(self, changed, new_counts, share, pressure, layout, pen):
+        """For each changed line whether the core has left the pressure that it was drawn with."""
+        number = np.repeat(np.arange(len(changed)), new_counts)
+        before = layout.course.read(pen["pressure"], layout.course.find(changed[number], share))
+        apart = np.zeros(len(changed))
+        np.maximum.at(apart, number, np.where(np.isnan(pressure), 1, np.abs(pressure - before)))
+        return pen["thickness"].recorded[changed] & (apart <= 0.02)
 
     @staticmethod
     def _places(changed, new_counts, closed, moved, layout):
@@ -265,7 +281,7 @@ class Job:
         length = course.length[line]
         return np.where(length > 0, along / np.where(length > 0, length, 1), 0), moved - there
 
-    def _put_back_some(self, lines, source, strokes, changed, begin, moved, place, joined, turns, layout, pen):
+    def _put_back_some(self, lines, source, strokes, changed, begin, moved, place, joined, kept, turns, layout, pen):
         counts = (begin[1:] - begin[:-1])[source]
         ends = np.cumsum(counts)
         rows = np.arange(int(ends[-1])) + np.repeat(begin[source] - (ends - counts), counts)
@@ -286,7 +302,8 @@ class Job:
         channels = {name: array[rows] for name, array in joined.items()}
         channels["twist"] = channels["twist"] + np.angle(turn)
         fresh = Lines(counts, self.lines.closed[lines])
-        self._apply_pen(values, channels, lines, line, found, course, fresh, moved[rows], pen)
+        own_pressure = np.repeat(kept[source] & pen["thickness"].recorded[lines], counts)
+        self._apply_pen(values, channels, line, own_pressure, found, course, fresh, moved[rows], pen)
         part_of = self.part[line]
         for number in np.unique(part_of):
             part = self.parts[number]
@@ -306,20 +323,15 @@ class Job:
             differs = max(abs(a - b) for a, b in zip(color, colors[i])) > 1e-3
             self.changes[int(self.part[i]), self._target(i)] = (piece, color if differs else None)
 
-    def _apply_pen(self, values, channels, lines, line, found, course, fresh, moved, pen):
-        """Pressure to thickness and strength, the nib's angle to rotation."""
+    def _apply_pen(self, values, channels, line, own_pressure, found, course, fresh, moved, pen):
+        """Pressure to thickness and strength, the nib's angle to rotation. Where the core has kept the pressure that a
+        line was drawn with (`own_pressure`), thickness and strength stay the line's own."""
         own = self.own
-        pressure = channels["pressure"]
-        has = ~np.isnan(pressure)
+        pressure = np.nan_to_num(channels["pressure"])
+        has = ~np.isnan(channels["pressure"]) & ~own_pressure
         if has.any():
-            thickness = pen["thickness"]
-            before = course.read(pen["pressure"], found)
-            new = np.where(has, thickness.from_pressure(np.nan_to_num(pressure), line), values["thickness"])
-            # A pressure that the core has kept leaves the strength alone.
-            apart = np.zeros(len(self))
-            np.maximum.at(apart, line, np.where(has, np.abs(np.nan_to_num(pressure) - before), 0))
-            replaced = ~thickness.recorded | (apart > 0.02)
-            fade = np.where(has & replaced[line], 1 - own["strength"] * (1 - np.nan_to_num(pressure)), 1)
+            new = np.where(has, pen["thickness"].from_pressure(pressure, line), values["thickness"])
+            fade = np.where(has, 1 - own["strength"] * (1 - pressure), 1)
             values["thickness"] = np.maximum(new, 0)
             values["strength"] = np.clip(values["strength"] * fade, 0, 1)
         posed = ~np.isnan(channels["twist"]) | ~np.isnan(channels["tilt_x"])

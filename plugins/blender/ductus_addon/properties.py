@@ -43,7 +43,10 @@ def _tooltip(param):
 
 
 def _hand_names(self, context, text):
-    return [name for name in binding.hands() if text.lower() in name.lower()] or binding.hands()
+    names = binding.hands()
+    # A field that holds a hand's name already offers them all.
+    found = [] if text in names else [name for name in names if text.lower() in name.lower()]
+    return found or names
 
 
 def _number(param, default):

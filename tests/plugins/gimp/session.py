@@ -48,16 +48,16 @@ def prepare_profile(folder):
 
 
 class Gimp:
-    """One running GIMP. With `display` it has a window there."""
+    """One running GIMP. With `display` it has a window there; with `data` its own brushes and dynamics."""
 
-    def __init__(self, display=None):
+    def __init__(self, display=None, data=False):
         self.folder = tempfile.mkdtemp(prefix="ductus-gimp-")
         self.profile, environment = prepare_profile(self.folder)
         self.prepare()
         with socket.socket() as probe:
             probe.bind(("127.0.0.1", 0))
             self.port = probe.getsockname()[1]
-        command = ["gimp", "-s", "-f", "-d"]
+        command = ["gimp", "-s", "-f"] + ([] if data else ["-d"])
         if display is None:
             command.append("-i")
             environment.pop("DISPLAY", None)

@@ -215,6 +215,11 @@ class Refusals(GimpCase):
         self.refused("hand=eve; lines=edges", "one of")
         self.refused("hand", "name=value")
 
+    def test_a_layer_of_another_image(self):
+        self.curve()
+        self.gimp.run("(define other (make-image 50 50 RGB PRECISION-U8-GAMMA RGB-IMAGE))")
+        self.refused("hand=eve", "another image", "(active other)")
+
     def test_too_few_arguments(self):
         self.curve()
         with self.assertRaises(session.Failed):

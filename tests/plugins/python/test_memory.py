@@ -37,14 +37,18 @@ def refused(call, *arguments, **keywords):
 
 
 class Memory(unittest.TestCase):
-    def check(self, work, times=300):
+    def check(self, work, times=100):
         for _ in range(min(20, times)):
             work()
-        before = used()
-        for _ in range(times):
-            work()
-        # A handle that is not freed is some hundred bytes at least, a drawing or canvas some thousand.
-        self.assertLess(used() - before, 8192)
+        grown = []
+        for _ in range(3):
+            before = used()
+            for _ in range(times):
+                work()
+            grown.append(used() - before)
+        # Python's own dicts and lists grow now and then; what leaks grows each time, and is some hundred bytes for each
+        # handle at least, some thousand for a drawing or canvas.
+        self.assertLess(min(grown), 4096)
 
     def test_of_drawings(self):
         def work():
@@ -82,7 +86,7 @@ class Memory(unittest.TestCase):
             refused(made.__setitem__, "no-such", 1)
             refused(ductus.Settings, "no-such")
             ductus.operations(), ductus.hands(), ductus.brushes(), ductus.formats()
-        self.check(work, times=100)
+        self.check(work, times=40)
 
     def test_of_libraries(self):
         recording = drawing(2)
@@ -94,7 +98,7 @@ class Memory(unittest.TestCase):
             library.drawing(), library.name
             refused(ductus.Library.build, [])
             refused(ductus.Library, "no such hand")
-        self.check(work, times=100)
+        self.check(work, times=40)
 
     def test_of_runs(self):
         def fail(_):
@@ -107,7 +111,7 @@ class Memory(unittest.TestCase):
             refused(ductus.run, made, given, threads=1, progress=lambda _: False)
             refused(ductus.run, made, given, threads=1, progress=fail)
             refused(ductus.run, made, given, threads=1, trace=fail)
-        self.check(work, times=8)
+        self.check(work, times=4)
 
     def test_of_canvases(self):
         def work():
@@ -115,7 +119,7 @@ class Memory(unittest.TestCase):
             canvas.tile(0, 0), canvas.pixels()
             refused(canvas.write, "/no/such/folder/a.png")
             refused(ductus.render, drawing(), "no such brush")
-        self.check(work, times=30)
+        self.check(work, times=10)
 
     def test_what_is_alive_at_the_end_is_freed_in_peace(self):
         program = ("import ductus, threading\n"

@@ -13,7 +13,7 @@ one more module with the same names (see `legacy`):
     pixel(ob)                      object units a pixel of line width
     read(ob, layer, number, selected, index)   the lines of a drawing that may be worked on, as Strokes
     fingerprints(ob, layer, number)   an integer for each line, which another shape hardly has
-    write(ob, plans)               carries out LayerPlans: all of it or nothing
+    write(todo)                    carries out pairs (object, its LayerPlans): all of them or nothing
     active_layer(ob), set_active_layer(ob, name), hide_layer(ob, name, hidden), remove_layer(ob, name)
     record(ob), set_record(ob, dictionary)   what the add-on remembers of an object, saved with it
 

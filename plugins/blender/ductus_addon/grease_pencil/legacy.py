@@ -74,11 +74,12 @@ def refuses(ob):
 
 
 def multiframe(ob):
-    return ob.data.use_multiedit and selecting(ob)
+    return ob.data.use_multiedit and ob.mode in {"EDIT_GPENCIL", "SCULPT_GPENCIL", "VERTEX_GPENCIL", "WEIGHT_GPENCIL"}
 
 
 def selecting(ob):
-    return ob.mode in {"EDIT_GPENCIL", "SCULPT_GPENCIL", "VERTEX_GPENCIL"}
+    # Sculpting and painting show no selection, but for their masks.
+    return ob.mode == "EDIT_GPENCIL"
 
 
 def any_selected(ob):
@@ -190,45 +191,51 @@ def _fingerprint(stroke):
     return value - (1 << 32) if value >= 1 << 31 else value
 
 
-def write(ob, plans):
-    data = ob.data
-    made, hidden, backups = [], [], []
-    active = active_layer(ob)
+def write(todo):
+    undo, backups = [], []
     try:
-        for plan in plans:
-            layer = data.layers[plan.layer]
-            if plan.target != plan.layer:
-                layer = _duplicate(ob, layer, plan.target)
-                made.append(layer.info)
-                hidden.append((plan.layer, data.layers[plan.layer].hide))
-                data.layers[plan.layer].hide = True
-            backup = data.layers.new("ductus backup", set_active=False)
-            backup.hide = True
-            backups.append((layer.info, backup.info))
-            for frame in layer.frames:
-                backup.frames.copy(frame)
-            _carry_out(ob, data.layers[plan.target], data.layers[backup.info], plan)
+        for ob, plans in todo:
+            _write_object(ob, plans, undo, backups)
     except BaseException:
-        for name, backup in backups:
-            if name in made:
-                continue
-            layer = data.layers[name]
-            _clear(layer)
-            for frame in data.layers[backup].frames:
-                layer.frames.copy(frame)
-        for name in made:
-            data.layers.remove(data.layers[name])
-        for name, hide in hidden:
-            data.layers[name].hide = hide
-        set_active_layer(ob, active)
+        for back in reversed(undo):
+            back()
         raise
     finally:
-        for _, backup in backups:
-            data.layers.remove(data.layers[backup])
+        for layers, name in backups:
+            layers.remove(layers[name])
+        for ob, _ in todo:
+            ob.data.update_tag()
+
+
+def _write_object(ob, plans, undo, backups):
+    """Carries out an object's plans; appends to `undo` what takes it all back, and to `backups` layers to be removed."""
+    layers = ob.data.layers
+    active = active_layer(ob)
+    undo.append(lambda: set_active_layer(ob, active))
+    for plan in plans:
+        layer = layers[plan.layer]
+        if plan.target != plan.layer:
+            hidden = layer.hide
+            layer = _duplicate(ob, layer, plan.target)
+            undo.append(lambda name=plan.target: layers.remove(layers[name]))
+            undo.append(lambda name=plan.layer, hidden=hidden: setattr(layers[name], "hide", hidden))
+            layers[plan.layer].hide = True
+        backup = layers.new("ductus backup", set_active=False)
+        backup.hide = True
+        backups.append((layers, backup.info))
+        for frame in layers[plan.target].frames:
+            backup.frames.copy(frame)
+        if plan.target == plan.layer:
+            undo.append(lambda name=plan.layer, backup=backup.info: _bring_back(layers, name, backup))
+        _carry_out(ob, layers[plan.target], layers[backup.info], plan)
     if active is not None:
-        targets = {plan.layer: plan.target for plan in plans}
-        set_active_layer(ob, targets.get(active, active))
-    data.update_tag()
+        set_active_layer(ob, {plan.layer: plan.target for plan in plans}.get(active, active))
+
+
+def _bring_back(layers, name, backup):
+    _clear(layers[name])
+    for frame in layers[backup].frames:
+        layers[name].frames.copy(frame)
 
 
 def _duplicate(ob, layer, name):

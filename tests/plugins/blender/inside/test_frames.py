@@ -2,7 +2,7 @@
 """Ranges of frames, boiling lines, lines that keep their choices from drawing to drawing, and cancelling."""
 import bpy
 import numpy as np
-from helpers import Case, Scene, positions, restyle, snapshot, wave
+from helpers import Case, Scene, positions, read, restyle, snapshot, wave
 
 from ductus_addon import binding, grease_pencil, operators
 
@@ -186,6 +186,15 @@ class Coherence(Frames):
         drawings = self.drawings()
         self.assertNear(drawings[1][0], drawings[5][0], 0)
 
+    def test_followers_keep_the_pressure_they_were_drawn_with(self):
+        for k, number in enumerate((1, 5)):
+            frame = self.scene.frame if number == 1 else self.scene.layer.frames.new(number)
+            self.scene.wave(frame, pressure=np.linspace(0.2, 0.6 + 0.3 * k, 40))
+        restyle(frames="all", mode="pose", channels="missing")
+        for k, frame in enumerate(self.scene.layer.frames):
+            thickness = read(frame.strokes[0], "pressure")
+            self.assertNear([thickness[0], thickness[-1]], [0.2, 0.6 + 0.3 * k], 1e-4)
+
     def test_boiled_steps_hold_what_they_chose(self):
         self.animate((1, 2, 3, 4), lambda line, k: line + [0.01 * k, 0, 0])
         restyle(frames="range", frame_start=1, frame_end=4, seeds="boil", boil_frames=2, variation=2)
@@ -233,3 +242,24 @@ class Cancelling(Frames):
                         restyle(**{"frames": "all", **values})
                 finally:
                     host._set_points = real
+
+    def test_failure_in_a_second_object_changes_neither(self):
+        host = grease_pencil.generation()
+        real = host._set_points
+
+        def broken(ob, *arguments):
+            if ob.name == "Second":
+                raise RuntimeError("on purpose")
+            real(ob, *arguments)
+        self.animate()
+        second = Scene("Second", clear=False)
+        second.wave()
+        bpy.ops.object.select_all(action="SELECT")
+        host._set_points = broken
+        try:
+            for result in ("in-place", "new-layer"):
+                with self.assertRefused("on purpose"):
+                    restyle(apply_to="objects", result=result)
+        finally:
+            host._set_points = real
+        self.assertEqual(restyle(apply_to="objects"), {"FINISHED"})

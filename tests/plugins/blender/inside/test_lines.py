@@ -181,6 +181,42 @@ class Attributes(Case):
         self.assertEqual(other.points.weight_get(vertex_group_index=0, point_index=0), -1)
 
 
+class Rendered(Case):
+    def frame(self):
+        """The darkness of a rendered frame, row by row."""
+        import os
+        path = os.path.join(os.environ["TMPDIR"], "frame.png")
+        bpy.context.scene.render.filepath = path
+        bpy.ops.render.render(write_still=True)
+        image = bpy.data.images.load(path)
+        pixels = 1 - np.array(image.pixels[:]).reshape(90, 160, 4)[:, :, 0]
+        bpy.data.images.remove(image)
+        return pixels
+
+    def test_rendered_frame_shows_the_new_line(self):
+        scene = bpy.context.scene
+        camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+        scene.collection.objects.link(camera)
+        camera.location, camera.rotation_euler = (0.5, -5, 0), turned(x=90)
+        camera.data.type, camera.data.ortho_scale = "ORTHO", 1.3
+        scene.camera, scene.world = camera, bpy.data.worlds.new("White")
+        scene.world.color = (1, 1, 1)
+        scene.display.shading.background_type = "WORLD"
+        scene.render.engine = "BLENDER_WORKBENCH"
+        scene.render.resolution_x, scene.render.resolution_y = 160, 90
+        self.scene.layer.use_lights = False
+        self.scene.wave(width=40)
+        before = self.frame()
+        restyle(thickest=3, thinnest=0)
+        after = self.frame()
+        for picture in (before, after):
+            self.assertGreater((picture > 0.5).sum(), 200)
+        self.assertGreater(np.abs(after - before).mean(), 0.005)
+        # The width of an even line hardly varies along it, that of a drawn one does.
+        widths = [(picture[:, 20:140] > 0.5).sum(axis=0) for picture in (before, after)]
+        self.assertGreater(len(set(widths[1].tolist())), 3)
+
+
 class OddOnes(Case):
     def test_empty_and_one_point_lines(self):
         empty, dot = self.scene.stroke([]), self.scene.stroke([[1, 2, 3]])
@@ -265,4 +301,20 @@ class OddOnes(Case):
             self.scene.stroke(helix())
             restyle(variation=1, seed=4)
             results.append(snapshot(self.scene.data))
+        self.assertEqual(results[0], results[1])
+
+    def test_work_done_in_pieces_gives_the_same_bytes(self):
+        from ductus_addon import job
+        from helpers import snapshot
+        whole, results = job.CHUNK, []
+        try:
+            for job.CHUNK in (whole, 300):
+                self.setUp()
+                for k in range(6):
+                    self.scene.wave(z=k, phase=k)
+                self.scene.stroke(helix())
+                restyle()
+                results.append(snapshot(self.scene.data))
+        finally:
+            job.CHUNK = whole
         self.assertEqual(results[0], results[1])

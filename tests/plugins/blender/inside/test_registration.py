@@ -83,6 +83,13 @@ class Tables(Case):
                         made[param.id] = properties.value(group, param)
                         self.assertEqual(made[param.id], wanted[param.id], (preset.id, param.id))
 
+    def test_hands_are_offered_by_what_is_typed(self):
+        hands = binding.hands()
+        self.assertGreater(len(hands), 1)
+        self.assertEqual(properties._hand_names(None, None, hands[1][:3]), [hands[1]])
+        for text in ("", hands[0], "/a/file.inkml"):
+            self.assertEqual(properties._hand_names(None, None, text), hands)
+
     def test_unknown_preset_is_refused(self):
         with self.assertRaises(RuntimeError) as caught:
             bpy.ops.ductus.table_preset(operation=binding.operations()[0].id, preset="none")

@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# cmake -DZIP=FILE -P user_install.cmake: unpacks the plug-in into the user's own folder of plug-ins.
+if(DEFINED ENV{GIMP2_DIRECTORY})
+  set(folder $ENV{GIMP2_DIRECTORY})
+elseif(DEFINED ENV{XDG_CONFIG_HOME})
+  set(folder $ENV{XDG_CONFIG_HOME}/GIMP/2.10)
+else()
+  set(folder $ENV{HOME}/.config/GIMP/2.10)
+endif()
+if(NOT EXISTS ${folder})
+  message(FATAL_ERROR "There is no ${folder}: start GIMP once, so that it makes its folder, and try again")
+endif()
+file(REMOVE_RECURSE ${folder}/plug-ins/ductus-gimp)
+file(ARCHIVE_EXTRACT INPUT ${ZIP} DESTINATION ${folder}/plug-ins)
+message(STATUS "The plug-in is in ${folder}/plug-ins/ductus-gimp; start GIMP anew")
