@@ -5,6 +5,9 @@
 
 enum { MOST_PULLS = 16 };
 
+/* Added where two neighbourhoods have hardly a sample in common, as those of a beginning and of an end. */
+static const double incomparable = 1e30;
+
 bool duct_cost_coherent(const duct_example_set *set, const duct_query *query, size_t j, double chord)
 {
     size_t last = query->previous, piece = set->piece[j];
@@ -20,7 +23,8 @@ bool duct_cost_coherent(const duct_example_set *set, const duct_query *query, si
         return false;
     }
     const double *a = set->around[last * set->slots].centre, *b = set->around[j * set->slots].centre;
-    return hypot(b[0] - a[0], b[1] - a[1]) < 1.5 * chord;
+    /* A curve that is about to grow has shorter steps than the examples: the next position is coherent. */
+    return hypot(b[0] - a[0], b[1] - a[1]) < 1.5 * (chord > set->gap ? chord : set->gap);
 }
 
 typedef struct {
@@ -63,8 +67,10 @@ void duct_cost_of(const duct_example_set *set, const duct_query *query, size_t j
     const duct_neighbourhood *a = &set->around[j * set->slots];
     duct_alignment sums[DUCT_SLOTS];
     double squares = 0, re = 0, im = 0, turn_re = 0, turn_im = 0;
+    bool comparable = true;
     for (size_t s = 0; s < set->slots; s++) {
         duct_align(&a[s], &query->around[s], set->reach, set->weights, options->tangent_weight, &sums[s]);
+        comparable = comparable && duct_neighbourhood_overlap(&a[s], &query->around[s], set, sums[s].mass);
         if (!(sums[s].mass > 0)) {
             continue;
         }
@@ -108,8 +114,8 @@ void duct_cost_of(const duct_example_set *set, const duct_query *query, size_t j
     double chord =
         query->chord >= 0 ? query->chord : hypot(candidate->x - query->at[0], candidate->y - query->at[1]);
     if (!duct_cost_coherent(set, query, j, chord)) {
-        cost *= 1 + options->coherence / set->step;
+        cost *= set->penalty;
     }
-    candidate->cost = cost;
+    candidate->cost = comparable ? cost : cost + incomparable;
     candidate->index = j;
 }

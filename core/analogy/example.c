@@ -32,6 +32,26 @@ void duct_neighbourhood_coverage(const duct_neighbourhood *samples, const duct_e
     *after /= set->mass;
 }
 
+static double mass_of(const duct_neighbourhood *samples, const duct_example_set *set)
+{
+    double mass = 0;
+    for (int k = samples->low; k <= samples->high; k++) {
+        mass += set->weights[k + set->reach];
+    }
+    return mass;
+}
+
+bool duct_neighbourhood_overlap(const duct_neighbourhood *a, const duct_neighbourhood *b,
+                                const duct_example_set *set, double common)
+{
+    const double enough = 0.45;
+    if (common >= enough * set->mass) {
+        return true;
+    }
+    double one = mass_of(a, set), other = mass_of(b, set);
+    return common >= enough * (one < other ? one : other);
+}
+
 static int reach_of(const duct_analogy_options *options)
 {
     int reach = options->neighbourhood / 2;
@@ -114,6 +134,7 @@ duct_status duct_example_set_make(const duct_allocator *allocator, const duct_le
                              .reach = reach_of(options),
                              .step = step,
                              .spacing = step / 4,
+                             .penalty = 1 + options->coherence * step / (options->spacing * options->spacing),
                              .options = options,
                              .extra = true};
     for (size_t p = 0; p < pair_count; p++) {

@@ -30,6 +30,7 @@ typedef struct duct_example_set {
     double gap;     /* mean distance of neighbouring positions on the filtered curve */
     double spacing; /* D / 4: between the samples of a neighbourhood */
     double mass;    /* of all weights */
+    double penalty; /* for a position that does not go on where the last one was */
     double *weights;
     duct_slot_weights slot[DUCT_SLOTS];
     const duct_analogy_options *options;
@@ -57,5 +58,10 @@ bool duct_neighbourhood_full(const duct_neighbourhood *samples, int reach);
 /* The share of the mass that a neighbourhood has on either side of its centre. */
 void duct_neighbourhood_coverage(const duct_neighbourhood *samples, const duct_example_set *set,
                                  double *before, double *after);
+
+/* Whether two neighbourhoods that have samples of mass `common` in common can be compared by them: not where
+ * both lack most of what the other has. */
+bool duct_neighbourhood_overlap(const duct_neighbourhood *a, const duct_neighbourhood *b,
+                                const duct_example_set *set, double common);
 
 #endif

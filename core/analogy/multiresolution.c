@@ -145,6 +145,7 @@ static duct_status refine(descent *self, const duct_example_set *set, size_t lev
     duct_status status = DUCT_OK;
     for (size_t pass = 0; pass < passes && status == DUCT_OK; pass++) {
         duct_making making = making_of(self, set, level, 1 + pass);
+        making.settled = coarse != NULL;
         if (coarse != NULL) {
             making.others[set->slots - 1] = coarse;
         }

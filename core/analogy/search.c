@@ -49,7 +49,7 @@ static size_t choose(const duct_example_set *set, const duct_search_room *room, 
         }
     }
     double limit = least * (1 + set->options->randomness);
-    if (!(set->options->randomness > 0)) {
+    if (!(set->options->randomness > 0) || chance < 0) {
         return best;
     }
     size_t within = 0;
@@ -115,7 +115,7 @@ static void search_fast(const duct_example_set *set, const duct_query *query, do
                         duct_search_room *room, duct_candidate *best)
 {
     size_t evaluated[MOST_EVALUATED + 4], count = 0, listed = 0;
-    double least = INFINITY, slack = 1 + set->options->randomness;
+    double least = INFINITY, slack = chance < 0 ? 1 : 1 + set->options->randomness;
     if (query->previous != DUCT_NOWHERE) {
         size_t next = query->previous + 1;
         if (next >= set->count || set->piece[next] != set->piece[query->previous]) {
@@ -127,11 +127,10 @@ static void search_fast(const duct_example_set *set, const duct_query *query, do
         least = evaluate(set, query, hint, room, evaluated, &count, least);
     }
     duct_basis_bounds(set, query, room->scratch, room->bounds);
-    double penalty = 1 + set->options->coherence / set->step;
     for (size_t j = 0; j < set->count; j++) {
         if (room->bounds[j] <= least * slack) {
             bool coherent = query->chord < 0 || duct_cost_coherent(set, query, j, query->chord);
-            room->bounds[j] = coherent ? room->bounds[j] : room->bounds[j] * (float)penalty;
+            room->bounds[j] = coherent ? room->bounds[j] : room->bounds[j] * (float)set->penalty;
             if (room->bounds[j] <= least * slack) {
                 room->list[listed++] = j;
             }

@@ -16,6 +16,7 @@ typedef struct duct_making {
     uint64_t id;      /* of the stroke, for what is random */
     uint64_t purpose; /* tells this pass from others */
     size_t *sources;  /* S: by control point; not read where the pass is the first */
+    bool settled;     /* the best candidate is taken, none at random */
     double energy;    /* mean d of the pass */
 } duct_making;
 
