@@ -22,6 +22,7 @@ duct_analogy_options duct_analogy_options_default(void)
                                   .tangent_weight = 100,
                                   .end_weight = 100,
                                   .extra_weight = 100,
+                                  .foresight = 0.1,
                                   .neighbourhood = 81,
                                   .spacing = 0.5,
                                   .levels = 0,
@@ -149,6 +150,7 @@ duct_status duct_analogy_likeness(const duct_analogy *analogy, const duct_curve 
     duct_analogy shape = *analogy;
     shape.has_a = false;
     shape.options.exact = true;
+    shape.options.foresight = 1;
     shape.options.end_weight = shape.options.extra_weight = shape.options.coherence = 0;
     shape.options.randomness = 0;
     duct_example_set set;

@@ -18,7 +18,9 @@ typedef struct duct_analogy_options {
     double tangent_weight; /* w_delta */
     double end_weight; /* not in the paper: how much it counts that ends are made like ends; 0: not at all */
     double extra_weight; /* how much the extra feature counts in matching */
-    int neighbourhood;   /* K, odd */
+    double foresight;  /* not in the paper: what lies ahead on B' counts this much of what lies behind; 1: as
+                          much. It is the coarser level still, and smoother than the examples. */
+    int neighbourhood; /* K, odd */
     double spacing;      /* D of the finest level */
     size_t levels;       /* of the pyramids, at most; 0: as many as suit the examples */
     size_t passes;       /* of refinement at each level, at least 1 */

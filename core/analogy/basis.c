@@ -34,16 +34,17 @@ static double write_row(const duct_example_set *set, const duct_neighbourhood *a
         if (!(set->slot[s].cost > 0)) {
             continue;
         }
-        double mean_x = 0, mean_y = 0;
+        const double *weights = s == 0 ? set->own_weights : set->weights;
+        double mean_x = 0, mean_y = 0, mass = s == 0 ? set->own_mass : set->mass;
         for (size_t k = 0; k < room; k++) {
-            mean_x += set->weights[k] * samples->x[k];
-            mean_y += set->weights[k] * samples->y[k];
+            mean_x += weights[k] * samples->x[k];
+            mean_y += weights[k] * samples->y[k];
         }
-        mean_x /= set->mass;
-        mean_y /= set->mass;
+        mean_x /= mass;
+        mean_y /= mass;
         double root = sqrt(set->slot[s].cost), tangent = sqrt(set->options->tangent_weight);
         for (size_t k = 0; k < room; k++, at += 2) {
-            double weight = root * sqrt(set->weights[k]), turned = k > 0 ? weight * tangent : 0;
+            double weight = root * sqrt(weights[k]), turned = k > 0 ? weight * tangent : 0;
             re[at] = weight * (samples->x[k] - mean_x);
             im[at] = weight * (samples->y[k] - mean_y);
             re[at + 1] = turned * samples->u[k];

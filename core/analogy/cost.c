@@ -69,13 +69,15 @@ void duct_cost_of(const duct_example_set *set, const duct_query *query, size_t j
     double squares = 0, re = 0, im = 0, turn_re = 0, turn_im = 0;
     bool comparable = true;
     for (size_t s = 0; s < set->slots; s++) {
-        duct_align(&a[s], &query->around[s], set->reach, set->weights, options->tangent_weight, &sums[s]);
-        comparable = comparable && duct_neighbourhood_overlap(&a[s], &query->around[s], set, sums[s].mass);
+        const double *weights = s == 0 ? set->own_weights : set->weights;
+        duct_align(&a[s], &query->around[s], set->reach, weights, options->tangent_weight, &sums[s]);
+        comparable =
+            comparable && duct_neighbourhood_overlap(&a[s], &query->around[s], set, weights, sums[s].mass);
         if (!(sums[s].mass > 0)) {
             continue;
         }
         /* Samples that one of the two lacks are left out; what is there stands for all. */
-        double scale = set->mass / sums[s].mass;
+        double scale = (s == 0 ? set->own_mass : set->mass) / sums[s].mass;
         squares += set->slot[s].cost * scale * sums[s].squares;
         re += set->slot[s].cost * scale * sums[s].product[0];
         im += set->slot[s].cost * scale * sums[s].product[1];
@@ -86,7 +88,7 @@ void duct_cost_of(const duct_example_set *set, const duct_query *query, size_t j
     double cost = squares - 2 * (r.re * re + r.im * im);
     cost = cost > 0 ? cost : 0;
     if (query->extra && sums[0].mass > 0) {
-        cost += options->extra_weight * set->mass / sums[0].mass * sums[0].extra;
+        cost += options->extra_weight * set->own_mass / sums[0].mass * sums[0].extra;
     }
     cost += options->end_weight * set->mass *
             (square(set->before[j] - query->before) + square(set->after[j] - query->after));

@@ -32,23 +32,23 @@ void duct_neighbourhood_coverage(const duct_neighbourhood *samples, const duct_e
     *after /= set->mass;
 }
 
-static double mass_of(const duct_neighbourhood *samples, const duct_example_set *set)
+static double mass_of(const duct_neighbourhood *samples, const duct_example_set *set, const double *weights)
 {
     double mass = 0;
     for (int k = samples->low; k <= samples->high; k++) {
-        mass += set->weights[k + set->reach];
+        mass += weights[k + set->reach];
     }
     return mass;
 }
 
 bool duct_neighbourhood_overlap(const duct_neighbourhood *a, const duct_neighbourhood *b,
-                                const duct_example_set *set, double common)
+                                const duct_example_set *set, const double *weights, double common)
 {
     const double enough = 0.45;
     if (common >= enough * set->mass) {
         return true;
     }
-    double one = mass_of(a, set), other = mass_of(b, set);
+    double one = mass_of(a, set, weights), other = mass_of(b, set, weights);
     return common >= enough * (one < other ? one : other);
 }
 
@@ -58,7 +58,7 @@ static int reach_of(const duct_analogy_options *options)
     double weights[2 * 512 + 1];
     duct_neighbourhood_weights(options->neighbourhood, reach, weights);
     while (!options->exact && reach > 1 &&
-           weights[2 * (options->neighbourhood / 2) - (options->neighbourhood / 2 - reach)] < negligible) {
+           weights[options->neighbourhood / 2 + reach] < negligible) {
         reach--;
     }
     return reach;
@@ -74,7 +74,7 @@ static duct_status allocate(const duct_allocator *allocator, size_t pair_count, 
                          "spacing",
                          set->count);
     }
-    set->weights = duct_alloc(allocator, 2 * (size_t)set->reach + 1, sizeof *set->weights);
+    set->weights = duct_alloc(allocator, 2 * (2 * (size_t)set->reach + 1), sizeof *set->weights);
     set->around = duct_alloc(allocator, all, sizeof *set->around);
     set->before = duct_alloc(allocator, 2 * set->count, sizeof *set->before);
     set->piece = duct_alloc(allocator, 2 * set->count, sizeof *set->piece);
@@ -85,6 +85,7 @@ static duct_status allocate(const duct_allocator *allocator, size_t pair_count, 
         set->sizes == NULL || set->wraps == NULL || set->samples == NULL) {
         return duct_fail_memory(error);
     }
+    set->own_weights = set->weights + 2 * (size_t)set->reach + 1;
     set->after = set->before + set->count;
     set->place = set->piece + set->count;
     for (size_t i = 0; i < all; i++) {
@@ -147,6 +148,8 @@ duct_status duct_example_set_make(const duct_allocator *allocator, const duct_le
         duct_neighbourhood_weights(options->neighbourhood, made.reach, made.weights);
         for (int k = 0; k < 2 * made.reach + 1; k++) {
             made.mass += made.weights[k];
+            made.own_weights[k] = made.weights[k] * (k > made.reach ? options->foresight : 1);
+            made.own_mass += made.own_weights[k];
         }
         fill(pairs, pair_count, at, &made);
         if (!options->exact) {

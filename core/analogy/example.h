@@ -30,8 +30,10 @@ typedef struct duct_example_set {
     double gap;     /* mean distance of neighbouring positions on the filtered curve */
     double spacing; /* D / 4: between the samples of a neighbourhood */
     double mass;    /* of all weights */
+    double own_mass; /* and of those of slot 0 */
     double penalty; /* for a position that does not go on where the last one was */
     double *weights;
+    double *own_weights; /* of slot 0: what lies ahead, and is still to be made, counts for less */
     duct_slot_weights slot[DUCT_SLOTS];
     const duct_analogy_options *options;
     bool extra;                 /* the filtered curves have the extra feature */
@@ -62,6 +64,6 @@ void duct_neighbourhood_coverage(const duct_neighbourhood *samples, const duct_e
 /* Whether two neighbourhoods that have samples of mass `common` in common can be compared by them: not where
  * both lack most of what the other has. */
 bool duct_neighbourhood_overlap(const duct_neighbourhood *a, const duct_neighbourhood *b,
-                                const duct_example_set *set, double common);
+                                const duct_example_set *set, const double *weights, double common);
 
 #endif

@@ -41,6 +41,7 @@ duct_analogy_options duct_analogy_options_from(const duct_settings *settings, co
     options.tangent_weight = duct_settings_number(settings, "tangent-weight");
     options.end_weight = duct_settings_number(settings, "end-weight");
     options.extra_weight = duct_settings_number(settings, "pressure-weight");
+    options.foresight = duct_settings_number(settings, "foresight");
     options.neighbourhood = (int)duct_settings_number(settings, "neighbourhood") | 1;
     options.spacing = duct_settings_number(settings, "spacing");
     options.levels = duct_settings_size(settings, "levels");

@@ -50,6 +50,14 @@ static bool waves(size_t index, style_pair *pair)
     return true;
 }
 
+/* How far a sample lies beyond its place on a line of length `last` that is drawn too long at both ends. */
+static double overshoot(double at, double last, double before, double after)
+{
+    const double span = 24;
+    double begin = fmax(0, 1 - at / span), end = fmax(0, 1 - (last - at) / span);
+    return after * end * end - before * begin * begin;
+}
+
 /* Drawn three times over, each time a little beside and bent a little differently. */
 static bool sketchy(size_t index, style_pair *pair)
 {
@@ -66,7 +74,7 @@ static bool sketchy(size_t index, style_pair *pair)
         double from = 3.4 * (style_chance(seed, 3) - 0.5), to = 3.4 * (style_chance(seed, 4) - 0.5);
         for (size_t i = 0; i < drawn->count; i++) {
             double share = (double)i / last, at = (double)i;
-            drawn->x[i] = -before + share * (last + before + after);
+            drawn->x[i] += overshoot(at, last, before, after);
             drawn->y[i] = from + share * (to - from) + 1.6 * style_noise(seed, at / 38) +
                           0.35 * style_noise(seed + 5, at / 8);
             double hold = fmin(share, 1 - share) * last / 14;
@@ -90,7 +98,7 @@ static bool architect(size_t index, style_pair *pair)
            after = 9 + 6 * style_chance(seed, 2), bow = 1.6 * (style_chance(seed, 3) - 0.5);
     for (size_t i = 0; i < drawn->count; i++) {
         double share = (double)i / last, at = (double)i;
-        drawn->x[i] = -before + share * (last + before + after);
+        drawn->x[i] += overshoot(at, last, before, after);
         drawn->y[i] = bow * sin(M_PI * share) + 0.45 * style_noise(seed, at / 16);
         double hold = fmin(share, 1 - share) * last;
         drawn->pressure[i] = 0.38 + 0.42 * exp(-hold / 5);
