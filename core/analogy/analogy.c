@@ -24,10 +24,10 @@ duct_analogy_options duct_analogy_options_default(void)
                                   .extra_weight = 100,
                                   .foresight = 0.1,
                                   .neighbourhood = 81,
-                                  .spacing = 0.5,
+                                  .spacing = 1,
                                   .levels = 0,
                                   .passes = 1,
-                                  .coherence = 0.5,
+                                  .coherence = 1,
                                   .randomness = 0.1,
                                   .exact = false,
                                   .seed = 0};

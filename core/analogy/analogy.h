@@ -21,12 +21,12 @@ typedef struct duct_analogy_options {
     double foresight;  /* not in the paper: what lies ahead on B' counts this much of what lies behind; 1: as
                           much. It is the coarser level still, and smoother than the examples. */
     int neighbourhood; /* K, odd */
-    double spacing;      /* D of the finest level */
-    size_t levels;       /* of the pyramids, at most; 0: as many as suit the examples */
-    size_t passes;       /* of refinement at each level, at least 1 */
-    double coherence;    /* kappa */
-    double randomness;   /* epsilon */
-    bool exact;          /* search all example neighbourhoods, all of their samples: the reference */
+    double spacing;    /* D of the finest level */
+    size_t levels;     /* of the pyramids, at most; 0: as many as suit the examples */
+    size_t passes;     /* of refinement at each level, at least 1 */
+    double coherence;  /* kappa */
+    double randomness; /* epsilon */
+    bool exact;        /* search all example neighbourhoods, all of their samples: the reference */
     uint64_t seed;
 } duct_analogy_options;
 

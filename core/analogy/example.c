@@ -57,8 +57,7 @@ static int reach_of(const duct_analogy_options *options)
     int reach = options->neighbourhood / 2;
     double weights[2 * 512 + 1];
     duct_neighbourhood_weights(options->neighbourhood, reach, weights);
-    while (!options->exact && reach > 1 &&
-           weights[options->neighbourhood / 2 + reach] < negligible) {
+    while (!options->exact && reach > 1 && weights[options->neighbourhood / 2 + reach] < negligible) {
         reach--;
     }
     return reach;

@@ -26,12 +26,12 @@ struct duct_basis;
 typedef struct duct_example_set {
     size_t count, slots;
     int reach;
-    double step;    /* D: between control points */
-    double gap;     /* mean distance of neighbouring positions on the filtered curve */
-    double spacing; /* D / 4: between the samples of a neighbourhood */
-    double mass;    /* of all weights */
+    double step;     /* D: between control points */
+    double gap;      /* mean distance of neighbouring positions on the filtered curve */
+    double spacing;  /* D / 4: between the samples of a neighbourhood */
+    double mass;     /* of all weights */
     double own_mass; /* and of those of slot 0 */
-    double penalty; /* for a position that does not go on where the last one was */
+    double penalty;  /* for a position that does not go on where the last one was */
     double *weights;
     double *own_weights; /* of slot 0: what lies ahead, and is still to be made, counts for less */
     duct_slot_weights slot[DUCT_SLOTS];

@@ -19,8 +19,9 @@ duct_status duct_search_room_make(const duct_allocator *allocator, const duct_ex
                                   duct_search_room *room, duct_error *error);
 void duct_search_room_done(const duct_allocator *allocator, duct_search_room *room);
 
-/* `chance` in 0..1 decides among the candidates, below 0 takes the best of them; `hint` is a position that was good before, or DUCT_NOWHERE.
- * Takes the exact search where the set has no basis or the query lacks samples. */
+/* `chance` in 0..1 decides among the candidates, below 0 takes the best of them; `hint` is a position that
+ * was good before, or DUCT_NOWHERE. Takes the exact search where the set has no basis or the query lacks
+ * samples. */
 void duct_search_best(const duct_example_set *set, const duct_query *query, double chance, size_t hint,
                       duct_search_room *room, duct_candidate *best);
 

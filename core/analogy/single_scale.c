@@ -181,8 +181,8 @@ duct_status duct_refine_analogy(duct_making *making, bool hinted, duct_curve *cu
         duct_neighbourhood_coverage(&query.around[0], set, &query.before, &query.after);
         look_around(making, curve, i, &self, &query);
         query.chord = i > 0 ? hypot(curve->x[i] - query.at[0], curve->y[i] - query.at[1]) : -1;
-        duct_search_best(set, &query, making->settled ? -1 : chance_of(making, i), hinted ? making->sources[i] : DUCT_NOWHERE,
-                         &self.search, &best);
+        duct_search_best(set, &query, making->settled ? -1 : chance_of(making, i),
+                         hinted ? making->sources[i] : DUCT_NOWHERE, &self.search, &best);
         insert(making, &best, i, curve, &query);
         status = i % 64 == 0 ? duct_pool_check(error) : DUCT_OK;
     }

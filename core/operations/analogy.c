@@ -68,7 +68,8 @@ static const duct_param params[] = {
 
 static const duct_preset_value shape_values[] = {{"shape-weight", "2"}};
 static const duct_preset_value sweep_values[] = {{"shape-weight", "0"}};
-static const duct_preset_value paper_values[] = {{"end-weight", "0"}, {"shape-weight", "2"}};
+static const duct_preset_value paper_values[] = {
+    {"end-weight", "0"}, {"foresight", "1"}, {"coherence", "0.5"}, {"spacing", "0.5"}, {"shape-weight", "2"}};
 static const duct_preset_value sharp_values[] = {{"tangent-weight", "100000"}};
 static const duct_preset_value hand_values[] = {{"shape-weight", "2"}, {"invariance", "translation"}};
 
@@ -80,7 +81,7 @@ static const duct_preset presets[] = {
     {"upright", "Shape, upright", "The same, and what is level or upright in the examples stays so.",
      hand_values, 2},
     {"sharp", "Sharp corners", "For examples with sharp corners.", sharp_values, 1},
-    {"paper", "As in the paper", "The values of the Curve Analogies paper.", paper_values, 2},
+    {"paper", "As in the paper", "The values of the Curve Analogies paper.", paper_values, 5},
 };
 
 /* A style, for some of the drawing's strokes. */

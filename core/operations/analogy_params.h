@@ -42,10 +42,13 @@ extern const duct_choice duct_analogy_invariances[3], duct_analogy_searches[2], 
         DUCT_ANALOGY_REAL("pressure-weight", "Pressure weight",                                              \
                           "How much the examples' pressure counts in matching.", "", 0, 1e6, 10, "100",      \
                           "Matching"),                                                                       \
-        DUCT_ANALOGY_REAL("foresight", "Foresight", "How much what lies ahead on the line counts beside what lies behind; 1 is as in the paper.", "", 0, 1, 0.05, "0.1", "Matching"), \
+        DUCT_ANALOGY_REAL(                                                                                   \
+            "foresight", "Foresight",                                                                        \
+            "How much what lies ahead on the line counts beside what lies behind; 1 is as in the paper.",    \
+            "", 0, 1, 0.05, "0.1", "Matching"),                                                              \
         DUCT_ANALOGY_REAL("coherence", "Coherence",                                                          \
                           "How much is preferred to go on copying where the last point came from.", "", 0,   \
-                          1000, 0.1, "0.5", "Matching"),                                                     \
+                          1000, 0.1, "1", "Matching"),                                                       \
         DUCT_ANALOGY_REAL("randomness", "Randomness",                                                        \
                           "0 always takes the best match; 0.1 chooses among those up to a tenth worse.", "", \
                           0, 10, 0.05, "0.1", "Matching"),                                                   \
@@ -64,7 +67,7 @@ extern const duct_choice duct_analogy_invariances[3], duct_analogy_searches[2], 
          true},                                                                                              \
         DUCT_ANALOGY_REAL("spacing", "Spacing",                                                              \
                           "Distance of the new curve's points, in the examples' size.", "pixels", 0.05, 100, \
-                          0.1, "0.5", "Matching"),                                                           \
+                          0.1, "1", "Matching"),                                                             \
         {"levels",                                                                                           \
          "Levels",                                                                                           \
          "How many levels of detail are made one after another; 0: as many as suit the examples.",           \

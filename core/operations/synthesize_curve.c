@@ -31,13 +31,14 @@ static const duct_param params[] = {
 
 static const duct_preset_value sharp_values[] = {{"tangent-weight", "100000"}};
 static const duct_preset_value upright_values[] = {{"invariance", "translation"}};
-static const duct_preset_value paper_values[] = {{"end-weight", "0"}};
+static const duct_preset_value paper_values[] = {
+    {"end-weight", "0"}, {"foresight", "1"}, {"coherence", "0.5"}, {"spacing", "0.5"}};
 
 static const duct_preset presets[] = {
     {"default", "Default", "What suits the style.", NULL, 0},
     {"upright", "Upright", "What is level or upright in the example stays so.", upright_values, 1},
     {"sharp", "Sharp corners", "For examples with sharp corners.", sharp_values, 1},
-    {"paper", "As in the paper", "The values of the Curve Analogies paper.", paper_values, 1},
+    {"paper", "As in the paper", "The values of the Curve Analogies paper.", paper_values, 4},
 };
 
 typedef struct {
