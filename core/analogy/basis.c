@@ -55,16 +55,6 @@ static double write_row(const duct_example_set *set, const duct_neighbourhood *a
     return norm;
 }
 
-static bool costs_fully(const duct_example_set *set, const duct_neighbourhood *around)
-{
-    for (size_t s = 0; s < set->slots; s++) {
-        if (set->slot[s].cost > 0 && !duct_neighbourhood_full(&around[s], set->reach)) {
-            return false;
-        }
-    }
-    return true;
-}
-
 /* Takes what lies along (re, im), of length 1, out of a row; returns what is left, squared. */
 static double deflate(const double *re, const double *im, size_t length, double *row_re, double *row_im)
 {
@@ -87,7 +77,7 @@ static void choose_directions(const duct_example_set *set, duct_basis *basis, do
     size_t count = 0, length = basis->length, stride = set->count / SAMPLED + 1;
     double most = 0;
     for (size_t j = 0; j < set->count && count < SAMPLED; j += stride) {
-        if (costs_fully(set, &set->around[j * set->slots])) {
+        if (set->full[j]) {
             double *row = rows + count * 2 * length;
             lefts[count] = write_row(set, &set->around[j * set->slots], row, row + length);
             most = lefts[count] > most ? lefts[count] : most;
@@ -145,7 +135,7 @@ static void project_examples(const duct_example_set *set, duct_basis *basis, dou
 {
     double place[2 * MOST_DIRECTIONS];
     for (size_t j = 0; j < set->count; j++) {
-        if (!costs_fully(set, &set->around[j * set->slots])) {
+        if (!set->full[j]) {
             basis->norms[j] = -1;
             continue;
         }
@@ -199,7 +189,8 @@ size_t duct_basis_scratch(const duct_example_set *set)
     return 2 * row_length(set) + 1 + set->count; /* the query's vector, and two sums of floats a position */
 }
 
-void duct_basis_bounds(const duct_example_set *set, const duct_query *query, double *scratch, float *bounds)
+void duct_basis_bounds(const duct_example_set *set, const duct_query *query, double *scratch, float *bounds,
+                       float *estimates)
 {
     const duct_basis *basis = set->basis;
     size_t count = set->count;
@@ -223,5 +214,6 @@ void duct_basis_bounds(const duct_example_set *set, const duct_query *query, dou
         /* Floats are rounded: a bound must not be above the truth. */
         float bound = all - 2 * (size + basis->rests[j] * rest) - 4e-6f * all;
         bounds[j] = basis->norms[j] < 0 || bound < 0 ? 0 : bound;
+        estimates[j] = basis->norms[j] < 0 ? 0 : all - 2 * size;
     }
 }

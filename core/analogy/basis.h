@@ -20,8 +20,10 @@ void duct_basis_free(const duct_allocator *allocator, duct_basis *basis);
 /* Values of scratch memory that duct_basis_bounds() needs beside the bounds. */
 size_t duct_basis_scratch(const duct_example_set *set);
 
-/* Fills bounds[j] with no more than the matching term of each position; 0 where the position lacks samples.
+/* Fills bounds[j] with no more than the matching term of each position, and estimates[j] with what it is
+ * likely to be; 0 where the position lacks samples.
  * The query must be full in every slot that costs. */
-void duct_basis_bounds(const duct_example_set *set, const duct_query *query, double *scratch, float *bounds);
+void duct_basis_bounds(const duct_example_set *set, const duct_query *query, double *scratch, float *bounds,
+                       float *estimates);
 
 #endif

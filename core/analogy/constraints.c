@@ -41,7 +41,8 @@ void duct_constraints_pin(duct_curve *curve, const duct_curve_constraint *constr
     for (size_t i = 0; i < count; i++) {
         const duct_curve_constraint *wanted = &constraints[i];
         duct_pin pin = {duct_curve_pin(curve, wanted->t),
-                        {wanted->x, wanted->y, duct_constraint_soften(wanted->weight, level)}};
+                        {wanted->x, wanted->y, duct_constraint_soften(wanted->weight, level)},
+                        {wanted->x, wanted->y}};
         size_t at = i;
         for (; at > 0 && pins[at - 1].at > pin.at; at--) {
             pins[at] = pins[at - 1];
@@ -54,6 +55,16 @@ static double step_of(const duct_curve *curve, size_t i)
 {
     size_t next = i + 1 < curve->count ? i + 1 : 0;
     return hypot(curve->x[next] - curve->x[i], curve->y[next] - curve->y[i]);
+}
+
+static bool is_pin(const duct_pin *pins, size_t count, size_t at)
+{
+    for (size_t p = 0; p < count; p++) {
+        if (pins[p].at == at) {
+            return true;
+        }
+    }
+    return false;
 }
 
 /* The displacement of one pin, added to the control points on one side of it. Where another pin comes within
@@ -75,9 +86,7 @@ static void spread_side(const duct_curve *curve, const duct_pin *pins, size_t co
         }
         room += step_of(curve, (size_t)(way > 0 ? i : next));
         i = next;
-        for (size_t p = 0; p < count; p++) {
-            met = met || pins[p].at == (size_t)i;
-        }
+        met = is_pin(pins, count, (size_t)i);
     }
     double fall = met && room < 2 * reach ? room : reach;
     i = at;
@@ -91,7 +100,7 @@ static void spread_side(const duct_curve *curve, const duct_pin *pins, size_t co
         }
         walked += step_of(curve, (size_t)(way > 0 ? i : next));
         double share = 1 - walked / fall;
-        if (share <= 0 || next == at) {
+        if (share <= 0 || next == at || is_pin(pins, count, (size_t)next)) {
             return;
         }
         out_x[next] += share * dx;
@@ -102,9 +111,8 @@ static void spread_side(const duct_curve *curve, const duct_pin *pins, size_t co
 
 void duct_constraints_spread(duct_curve *curve, const duct_pin *pins, size_t count, double reach)
 {
-    /* Displacements are written over the curve only when all are known; its own arrays of parameters are not
-     * needed meanwhile, but its steps are, so pins are taken one after another: each meets the curve as the
-     * ones before have left it, and falls to 0 at all others. */
+    /* One pin after another: each meets the curve as the ones before have left it, and falls to 0 at all
+     * others. */
     for (size_t i = 0; i < count; i++) {
         const duct_pin *pin = &pins[i];
         double share = isinf(pin->pull.weight) ? 1 : pin->pull.weight / (1 + pin->pull.weight);
@@ -114,6 +122,17 @@ void duct_constraints_spread(duct_curve *curve, const duct_pin *pins, size_t cou
         curve->x[pin->at] = share >= 1 ? pin->pull.x : curve->x[pin->at] + dx;
         curve->y[pin->at] = share >= 1 ? pin->pull.y : curve->y[pin->at] + dy;
     }
+}
+
+void duct_constraints_settle(duct_curve *curve, const duct_pin *pins, size_t count, double reach)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (isinf(pins[i].pull.weight)) {
+            curve->x[pins[i].at] = pins[i].free[0];
+            curve->y[pins[i].at] = pins[i].free[1];
+        }
+    }
+    duct_constraints_spread(curve, pins, count, reach);
 }
 
 duct_status duct_constraints_check(const duct_curve_constraint *constraints, size_t count, duct_error *error)

@@ -22,6 +22,7 @@ double duct_constraint_soften(double weight, size_t level);
 typedef struct duct_pin {
     size_t at;
     duct_pull pull;
+    double free[2]; /* where a pass would have put the point without the pin */
 } duct_pin;
 
 /* Moves control points of the curve to the constraints' parameters and gives them as pins, by index and
@@ -33,6 +34,10 @@ void duct_constraints_pin(duct_curve *curve, const duct_curve_constraint *constr
  * is missing (all of it where it is hard), falling off evenly to the next pin, or over `reach` of arc length.
  */
 void duct_constraints_spread(duct_curve *curve, const duct_pin *pins, size_t count, double reach);
+
+/* Puts hard pins' points back to where the last pass had them without the pin, and spreads what is missing.
+ */
+void duct_constraints_settle(duct_curve *curve, const duct_pin *pins, size_t count, double reach);
 
 /* Errors: DUCT_UNSUPPORTED where two hard constraints want different places of one parameter. */
 duct_status duct_constraints_check(const duct_curve_constraint *constraints, size_t count, duct_error *error);

@@ -70,7 +70,12 @@ void duct_cost_of(const duct_example_set *set, const duct_query *query, size_t j
     bool comparable = true;
     for (size_t s = 0; s < set->slots; s++) {
         const double *weights = s == 0 ? set->own_weights : set->weights;
-        duct_align(&a[s], &query->around[s], set->reach, weights, options->tangent_weight, &sums[s]);
+        if (query->full && set->full[j]) {
+            duct_align_full(&a[s], &set->sums[j * set->slots + s], query->weighted[s], &query->sums[s],
+                            set->reach, s == 0 ? set->own_mass : set->mass, &sums[s]);
+        } else {
+            duct_align(&a[s], &query->around[s], set->reach, weights, options->tangent_weight, &sums[s]);
+        }
         comparable =
             comparable && duct_neighbourhood_overlap(&a[s], &query->around[s], set, weights, sums[s].mass);
         if (!(sums[s].mass > 0)) {
@@ -87,6 +92,9 @@ void duct_cost_of(const duct_example_set *set, const duct_query *query, size_t j
     rotation r = rotation_of(options->rotation, turn_re, turn_im);
     double cost = squares - 2 * (r.re * re + r.im * im);
     cost = cost > 0 ? cost : 0;
+    if (query->extra && query->full && set->full[j]) {
+        sums[0].extra = duct_align_extra(&a[0], &query->around[0], set->reach, set->own_weights);
+    }
     if (query->extra && sums[0].mass > 0) {
         cost += options->extra_weight * set->own_mass / sums[0].mass * sums[0].extra;
     }
@@ -110,7 +118,9 @@ void duct_cost_of(const duct_example_set *set, const duct_query *query, size_t j
         pulls[count++] = (duct_pull){query->around[0].centre[0], query->around[0].centre[1], 1};
     }
     for (size_t i = 0; i < query->pin_count && count < MOST_PULLS; i++) {
-        pulls[count++] = query->pins[i].pull;
+        if (!isinf(query->pins[i].pull.weight)) {
+            pulls[count++] = query->pins[i].pull;
+        }
     }
     cost += duct_pulls_solve(pulls, count, &candidate->x, &candidate->y);
     double chord =

@@ -10,12 +10,16 @@ typedef struct duct_query {
     duct_neighbourhood around[DUCT_SLOTS];
     bool causal;          /* around[0] holds what is before the point, relative to the last one made */
     double before, after; /* the share of the mass that the curve has on either side, as it will be */
-    const duct_pin *pins; /* constraints at this point */
+    duct_pin *pins;       /* constraints at this point */
     size_t pin_count;
     size_t previous; /* S(i - 1), or DUCT_NOWHERE */
     double at[2];    /* where the point before it is */
     double chord;    /* how far it is from that one now; negative: where the candidate puts it */
     bool extra;      /* match the extra feature */
+    /* For the fast search, where no slot lacks a sample (`full`): */
+    bool full;
+    duct_full_sums sums[DUCT_SLOTS];
+    double *weighted[DUCT_SLOTS];
 } duct_query;
 
 #define DUCT_NOWHERE ((size_t)-1)
@@ -23,7 +27,7 @@ typedef struct duct_query {
 /* What an example position j has to offer: d_j and p_j. */
 typedef struct duct_candidate {
     size_t index;
-    double cost, x, y;
+    double cost, x, y; /* a hard constraint is not yet obeyed */
 } duct_candidate;
 
 /* Whether position j goes on from S(i - 1): the same example curve, farther along, and by no more than one

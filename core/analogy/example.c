@@ -79,9 +79,12 @@ static duct_status allocate(const duct_allocator *allocator, size_t pair_count, 
     set->piece = duct_alloc(allocator, 2 * set->count, sizeof *set->piece);
     set->sizes = duct_alloc(allocator, pair_count, sizeof *set->sizes);
     set->wraps = duct_alloc(allocator, pair_count, sizeof *set->wraps);
+    set->full = duct_alloc(allocator, set->count, sizeof *set->full);
+    set->sums = set->options->exact ? NULL : duct_alloc(allocator, all, sizeof *set->sums);
     set->samples = duct_alloc(allocator, room * all, sizeof *set->samples);
     if (set->weights == NULL || set->around == NULL || set->before == NULL || set->piece == NULL ||
-        set->sizes == NULL || set->wraps == NULL || set->samples == NULL) {
+        set->sizes == NULL || set->wraps == NULL || set->full == NULL ||
+        (!set->options->exact && set->sums == NULL) || set->samples == NULL) {
         return duct_fail_memory(error);
     }
     set->own_weights = set->weights + 2 * (size_t)set->reach + 1;
@@ -111,6 +114,14 @@ static void fill(const duct_level_curves *pairs, size_t pair_count, size_t at, d
                                           &set->around[j * set->slots + s]);
             }
             const duct_neighbourhood *own = &set->around[j * set->slots];
+            set->full[j] = true;
+            for (size_t s = 0; s < set->slots; s++) {
+                set->full[j] = set->full[j] && duct_neighbourhood_full(&own[s], set->reach);
+            }
+            for (size_t s = 0; s < set->slots && set->full[j] && set->sums != NULL; s++) {
+                duct_align_prepare(&own[s], set->reach, s == 0 ? set->own_weights : set->weights,
+                                   set->options->tangent_weight, &set->sums[j * set->slots + s], NULL);
+            }
             duct_neighbourhood_coverage(own, set, &set->before[j], &set->after[j]);
             set->piece[j] = p;
             set->place[j] = i;
@@ -172,6 +183,8 @@ void duct_example_set_done(const duct_allocator *allocator, duct_example_set *se
     duct_release(allocator, set->sizes);
     duct_release(allocator, set->wraps);
     duct_release(allocator, set->samples);
+    duct_release(allocator, set->sums);
+    duct_release(allocator, set->full);
     duct_basis_free(allocator, set->basis);
     memset(set, 0, sizeof *set);
 }

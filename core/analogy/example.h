@@ -43,6 +43,8 @@ typedef struct duct_example_set {
     size_t *sizes;              /* by pair: its number of positions */
     bool *wraps;                /* by pair: closed */
     double *samples;
+    duct_full_sums *sums;     /* [position * slots + slot], for the fast search: NULL without */
+    bool *full;               /* by position: no slot lacks a sample */
     struct duct_basis *basis; /* for the fast search; NULL without */
 } duct_example_set;
 

@@ -176,8 +176,8 @@ static duct_status descend(descent *self, size_t start, duct_error *error)
         }
         duct_curve_done(allocator, &coarse);
     }
-    if (status == DUCT_OK && self->constraint_count > 0) {
-        meet_constraints(self, 0);
+    if (status == DUCT_OK) {
+        duct_constraints_settle(&self->curve, self->pins, self->constraint_count, self->reach);
     }
     return status;
 }

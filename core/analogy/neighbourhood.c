@@ -171,3 +171,60 @@ void duct_align(const duct_neighbourhood *a, const duct_neighbourhood *b, int re
     sums->product[1] = im - (ax * by - ay * bx) / mass + tangent * tangent_im;
     sums->extra = extra;
 }
+
+void duct_align_prepare(const duct_neighbourhood *samples, int reach, const double *weights, double tangent,
+                        duct_full_sums *sums, double *weighted)
+{
+    size_t room = 2 * (size_t)reach + 1;
+    double mass = 0, x = 0, y = 0, squares = 0;
+    for (size_t k = 0; k < room; k++) {
+        double w = weights[k], turned = k > 0 ? w * tangent : 0;
+        mass += w;
+        x += w * samples->x[k];
+        y += w * samples->y[k];
+        squares += w * (samples->x[k] * samples->x[k] + samples->y[k] * samples->y[k]);
+        squares += turned * (samples->u[k] * samples->u[k] + samples->v[k] * samples->v[k]);
+        if (weighted != NULL) {
+            weighted[4 * k] = w * samples->x[k];
+            weighted[4 * k + 1] = w * samples->y[k];
+            weighted[4 * k + 2] = turned * samples->u[k];
+            weighted[4 * k + 3] = turned * samples->v[k];
+        }
+    }
+    *sums = (duct_full_sums){{x / mass, y / mass}, squares - (x * x + y * y) / mass};
+}
+
+void duct_align_full(const duct_neighbourhood *a, const duct_full_sums *a_sums, const double *b_weighted,
+                     const duct_full_sums *b_sums, int reach, double mass, duct_alignment *sums)
+{
+    size_t room = 2 * (size_t)reach + 1;
+    double re = 0, im = 0, tangent_re = 0, tangent_im = 0;
+    for (size_t k = 0; k < room; k++) {
+        const double *b = b_weighted + 4 * k;
+        re += a->x[k] * b[0] + a->y[k] * b[1];
+        im += a->x[k] * b[1] - a->y[k] * b[0];
+        tangent_re += a->u[k] * b[2] + a->v[k] * b[3];
+        tangent_im += a->u[k] * b[3] - a->v[k] * b[2];
+    }
+    const double *p = a_sums->mean, *q = b_sums->mean;
+    sums->mass = mass;
+    sums->a[0] = p[0];
+    sums->a[1] = p[1];
+    sums->b[0] = q[0];
+    sums->b[1] = q[1];
+    sums->squares = a_sums->squares + b_sums->squares;
+    sums->product[0] = re - mass * (p[0] * q[0] + p[1] * q[1]) + tangent_re;
+    sums->product[1] = im - mass * (p[0] * q[1] - p[1] * q[0]) + tangent_im;
+    sums->extra = 0;
+}
+
+double duct_align_extra(const duct_neighbourhood *a, const duct_neighbourhood *b, int reach,
+                        const double *weights)
+{
+    double sum = 0;
+    for (int k = 0; k < 2 * reach + 1; k++) {
+        double off = a->extra[k] - b->extra[k];
+        sum += weights[k] * off * off;
+    }
+    return sum;
+}

@@ -42,6 +42,25 @@ typedef struct duct_alignment {
     double extra;      /* sum w (a - b)^2 of the extra features, where both have them */
 } duct_alignment;
 
+/* sum w (a - b)^2 of the extra features of two that lack no sample. */
+double duct_align_extra(const duct_neighbourhood *a, const duct_neighbourhood *b, int reach,
+                        const double *weights);
+
+/* For a neighbourhood that lacks no sample: its centre of mass and what it adds to `squares`, once for all it
+ * is compared with, and its features times the weights, in one block of DUCT_WEIGHTED_ROOM values. */
+typedef struct duct_full_sums {
+    double mean[2], squares;
+} duct_full_sums;
+
+#define DUCT_WEIGHTED_ROOM(reach) (4 * (2 * (size_t)(reach) + 1))
+
+void duct_align_prepare(const duct_neighbourhood *samples, int reach, const double *weights, double tangent,
+                        duct_full_sums *sums, double *weighted /* or NULL */);
+
+/* The same as duct_align() for two that lack no sample, but for the extra feature, from what was prepared. */
+void duct_align_full(const duct_neighbourhood *a, const duct_full_sums *a_sums, const double *b_weighted,
+                     const duct_full_sums *b_sums, int reach, double mass, duct_alignment *sums);
+
 /* Both must have the same reach. With weights w_k and tangents weighing `tangent` times as much. For a
  * rotation R as a complex number, sum w (|R a + t - b|^2 + tangent |R a' - b'|^2) with the best t is squares
  * - 2 Re(conj(R) product); the best R is product / |product|. */

@@ -7,16 +7,22 @@
 #include <math.h>
 #include <string.h>
 
-/* The fast search evaluates no more positions than this by their bounds: what lies behind them in that order
+/* The fast search evaluates no more positions than this: what lies behind them in the order of the estimates
  * is seldom better, and never by much. */
-enum { MOST_EVALUATED = 24 };
+enum { FEWEST_EVALUATED = 24, MOST_EVALUATED = 192 };
+
+static size_t most_evaluated(const duct_example_set *set)
+{
+    size_t most = FEWEST_EVALUATED + set->count / 12;
+    return most < MOST_EVALUATED ? most : MOST_EVALUATED;
+}
 
 duct_status duct_search_room_make(const duct_allocator *allocator, const duct_example_set *largest,
                                   duct_search_room *room, duct_error *error)
 {
     memset(room, 0, sizeof *room);
     room->costs = duct_alloc(allocator, largest->count, sizeof *room->costs);
-    room->bounds = duct_alloc(allocator, largest->count, sizeof *room->bounds);
+    room->bounds = duct_alloc(allocator, 2 * largest->count, sizeof *room->bounds);
     room->list = duct_alloc(allocator, largest->count, sizeof *room->list);
     room->scratch = duct_alloc(allocator, duct_basis_scratch(largest), sizeof *room->scratch);
     if (room->costs == NULL || room->bounds == NULL || room->list == NULL || room->scratch == NULL) {
@@ -110,7 +116,8 @@ static void sort(size_t *list, size_t count)
     }
 }
 
-/* Positions in the order of lower bounds, until none that is left can be within reach of the best. */
+/* Positions in the order of their estimates, without those whose bounds tell that they are not within reach
+ * of the best. */
 static void search_fast(const duct_example_set *set, const duct_query *query, double chance, size_t hint,
                         duct_search_room *room, duct_candidate *best)
 {
@@ -126,41 +133,91 @@ static void search_fast(const duct_example_set *set, const duct_query *query, do
     if (hint != DUCT_NOWHERE) {
         least = evaluate(set, query, hint, room, evaluated, &count, least);
     }
-    duct_basis_bounds(set, query, room->scratch, room->bounds);
+    float *estimates = room->bounds + set->count;
+    duct_basis_bounds(set, query, room->scratch, room->bounds, estimates);
     for (size_t j = 0; j < set->count; j++) {
         if (room->bounds[j] <= least * slack) {
             bool coherent = query->chord < 0 || duct_cost_coherent(set, query, j, query->chord);
-            room->bounds[j] = coherent ? room->bounds[j] : room->bounds[j] * (float)set->penalty;
+            room->bounds[j] *= coherent ? 1 : (float)set->penalty;
+            estimates[j] *= coherent ? 1 : (float)set->penalty;
             if (room->bounds[j] <= least * slack) {
                 room->list[listed++] = j;
             }
         }
     }
-    for (size_t n = 0; n < MOST_EVALUATED && listed > 0; n++) {
+    for (size_t most = most_evaluated(set); count < most && listed > 0;) {
         size_t first = 0;
         for (size_t i = 1; i < listed; i++) {
-            first = room->bounds[room->list[i]] < room->bounds[room->list[first]] ? i : first;
+            first = estimates[room->list[i]] < estimates[room->list[first]] ? i : first;
         }
         size_t j = room->list[first];
-        if (room->bounds[j] > least * slack) {
-            break;
-        }
         room->list[first] = room->list[--listed];
+        if (room->bounds[j] > least * slack) {
+            continue;
+        }
         least = evaluate(set, query, j, room, evaluated, &count, least);
     }
     sort(evaluated, count);
     duct_cost_of(set, query, choose(set, room, evaluated, count, chance), best);
 }
 
-void duct_search_best(const duct_example_set *set, const duct_query *query, double chance, size_t hint,
+/* A query that lacks samples has no bounds: every few positions are evaluated, and then those beside the best
+ * of them. */
+static void search_sparsely(const duct_example_set *set, const duct_query *query, double chance, size_t hint,
+                            duct_search_room *room, duct_candidate *best)
+{
+    const size_t stride = 4;
+    size_t count = 0, near[3], found = 0;
+    for (size_t j = 0; j < set->count; j++) {
+        bool due = set->place[j] % stride == 0 || set->place[j] + 1 == set->sizes[set->piece[j]];
+        due = due || j == hint || (query->previous != DUCT_NOWHERE && j == query->previous + 1);
+        room->costs[j] = INFINITY;
+        if (due) {
+            duct_cost_of(set, query, j, best);
+            room->costs[j] = best->cost;
+            room->list[count++] = j;
+            size_t at = found < 3 ? found++ : 3;
+            for (; at > 0 && room->costs[near[at - 1]] > best->cost; at--) {
+                if (at < 3) {
+                    near[at] = near[at - 1];
+                }
+            }
+            if (at < 3) {
+                near[at] = j;
+            }
+        }
+    }
+    for (size_t n = 0; n < found; n++) {
+        size_t first = near[n] >= stride ? near[n] - stride + 1 : 0;
+        for (size_t j = first; j < near[n] + stride && j < set->count; j++) {
+            if (isinf(room->costs[j])) {
+                duct_cost_of(set, query, j, best);
+                room->costs[j] = best->cost;
+                room->list[count++] = j;
+            }
+        }
+    }
+    sort(room->list, count);
+    duct_cost_of(set, query, choose(set, room, room->list, count, chance), best);
+}
+
+void duct_search_best(const duct_example_set *set, duct_query *query, double chance, size_t hint,
                       duct_search_room *room, duct_candidate *best)
 {
-    bool full = set->basis != NULL && !query->causal;
+    const size_t few = 48;
+    bool fast = set->basis != NULL && !query->causal && set->count > few, full = fast;
     for (size_t s = 0; s < set->slots && full; s++) {
         full = duct_neighbourhood_full(&query->around[s], set->reach);
     }
+    query->full = full;
+    for (size_t s = 0; s < set->slots && full; s++) {
+        duct_align_prepare(&query->around[s], set->reach, s == 0 ? set->own_weights : set->weights,
+                           set->options->tangent_weight, &query->sums[s], query->weighted[s]);
+    }
     if (full) {
         search_fast(set, query, chance, hint, room, best);
+    } else if (fast) {
+        search_sparsely(set, query, chance, hint, room, best);
     } else {
         duct_search_exact(set, query, chance, room, best);
     }

@@ -12,7 +12,7 @@
 /* Memory of one pass. */
 typedef struct {
     duct_search_room search;
-    double *samples; /* of the query's neighbourhoods */
+    double *samples; /* of the query's neighbourhoods, and their features weighted */
     size_t hints[DUCT_SLOTS];
     size_t next_pin;
 } work;
@@ -23,12 +23,14 @@ static duct_status begin(const duct_making *making, work *self, duct_query *quer
     size_t room = DUCT_NEIGHBOURHOOD_ROOM(set->reach);
     memset(self, 0, sizeof *self);
     memset(query, 0, sizeof *query);
-    self->samples = duct_alloc(making->allocator, room * set->slots, sizeof *self->samples);
+    size_t weighted = DUCT_WEIGHTED_ROOM(set->reach);
+    self->samples = duct_alloc(making->allocator, (room + weighted) * set->slots, sizeof *self->samples);
     if (self->samples == NULL) {
         return duct_fail_memory(error);
     }
     for (size_t s = 0; s < set->slots; s++) {
         duct_neighbourhood_lay(&query->around[s], self->samples + s * room, set->reach, set->extra);
+        query->weighted[s] = self->samples + set->slots * room + s * weighted;
     }
     duct_status status = duct_search_room_make(making->allocator, set, &self->search, error);
     if (status != DUCT_OK) {
@@ -74,14 +76,23 @@ static void insert(duct_making *making, const duct_candidate *best, size_t i, du
     const duct_example_set *set = making->set;
     curve->x[i] = best->x;
     curve->y[i] = best->y;
+    for (size_t p = 0; p < query->pin_count; p++) {
+        duct_pin *pin = &query->pins[p];
+        if (isinf(pin->pull.weight)) {
+            pin->free[0] = best->x;
+            pin->free[1] = best->y;
+            curve->x[i] = pin->pull.x;
+            curve->y[i] = pin->pull.y;
+        }
+    }
     if (curve->extra != NULL && set->extra) {
         curve->extra[i] = set->around[best->index * set->slots].extra[set->reach];
     }
     making->sources[i] = best->index;
     making->energy += best->cost;
     query->previous = best->index;
-    query->at[0] = best->x;
-    query->at[1] = best->y;
+    query->at[0] = curve->x[i];
+    query->at[1] = curve->y[i];
 }
 
 /* Three control points in a row, copied from the example. */

@@ -11,7 +11,7 @@ typedef struct duct_making {
     const duct_allocator *allocator;
     const duct_example_set *set;
     const duct_curve *others[DUCT_SLOTS]; /* B's curves for slots 1 and on */
-    const duct_pin *pins;                 /* by index of their control points */
+    duct_pin *pins;                       /* by index of their control points */
     size_t pin_count;
     uint64_t id;      /* of the stroke, for what is random */
     uint64_t purpose; /* tells this pass from others */
