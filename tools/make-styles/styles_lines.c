@@ -53,7 +53,7 @@ static bool waves(size_t index, style_pair *pair)
 /* How far a sample lies beyond its place on a line of length `last` that is drawn too long at both ends. */
 static double overshoot(double at, double last, double before, double after)
 {
-    const double span = 24;
+    const double span = 12;
     double begin = fmax(0, 1 - at / span), end = fmax(0, 1 - (last - at) / span);
     return after * end * end - before * begin * begin;
 }
@@ -61,8 +61,8 @@ static double overshoot(double at, double last, double before, double after)
 /* Drawn three times over, each time a little beside and bent a little differently. */
 static bool sketchy(size_t index, style_pair *pair)
 {
-    static const double lengths[] = {260, 90};
-    if (index > 1) {
+    static const double lengths[] = {700, 260, 90};
+    if (index > 2) {
         return false;
     }
     style_line(pair, 3, 0, 0, lengths[index], 0);
@@ -87,8 +87,8 @@ static bool sketchy(size_t index, style_pair *pair)
 /* Straight, a hair bent, and beyond the corner at both ends. */
 static bool architect(size_t index, style_pair *pair)
 {
-    static const double lengths[] = {150, 90, 220};
-    if (index > 2) {
+    static const double lengths[] = {700, 320, 140, 60};
+    if (index > 3) {
         return false;
     }
     style_line(pair, 1, 0, 0, lengths[index], 0);
