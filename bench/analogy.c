@@ -18,7 +18,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { ROUNDS = 5, MOST_POINTS = 8 };
+enum { ROUNDS = 5, COURSES = 8, MOST_POINTS = 8 };
 
 static double now(void)
 {
@@ -35,15 +35,15 @@ static void check(duct_status status, const duct_error *error)
     }
 }
 
-/* A bent course of `count` points, a pixel apart. */
-static duct_curve make_course(size_t count)
+/* One of many bent courses of `count` points, a pixel apart. */
+static duct_curve make_course(size_t count, int variant)
 {
     duct_error error;
     duct_curve curve;
     check(duct_curve_init(duct_allocator_of(NULL), count, false, false, &curve, &error), &error);
     double x = 0, y = 0;
     for (size_t i = 0; i < count; i++) {
-        double at = (double)i, angle = 0.5 * sin(at / 47) + 0.4 * sin(at / 31.7 + 1);
+        double at = (double)i, angle = 0.5 * sin(at / 47 + variant) + 0.4 * sin(at / 31.7 + 1);
         curve.x[i] = x;
         curve.y[i] = y;
         x += cos(angle);
@@ -77,11 +77,11 @@ typedef struct {
 } result;
 
 /* The best of several rounds. */
-static result run(size_t length, size_t example, bool exact, int rounds)
+static result run(size_t length, size_t example, bool exact, int variant, int rounds)
 {
     duct_error error;
     result best = {INFINITY, INFINITY, 0, 0};
-    duct_curve course = make_course(length);
+    duct_curve course = make_course(length, variant);
     duct_curve_pair pair = make_example(example);
     duct_analogy_options options = duct_analogy_options_default();
     options.exact = exact;
@@ -152,20 +152,27 @@ static void draw(const char *path, const double *at, const double *by_length, co
 
 int main(int count, char **words)
 {
-    result exact = run(500, 500, true, 2), fast = run(500, 500, false, ROUNDS);
+    result exact = run(500, 500, true, 0, 1), fast = run(500, 500, false, 0, ROUNDS);
     printf("a curve of 500 samples, an example of 500, one thread:\n");
     printf("  exact search      %8.1f ms   mean energy %.4g   %zu points\n", 1e3 * exact.whole, exact.energy,
            exact.points);
     printf("  fast search       %8.1f ms   mean energy %.4g   %zu points   %.1f times as fast\n",
            1e3 * fast.whole, fast.energy, fast.points, exact.whole / fast.whole);
     printf("  example made ready %7.1f ms\n", 1e3 * fast.prepared);
+    double energies[2] = {exact.energy, fast.energy};
+    for (int variant = 1; variant < COURSES; variant++) {
+        energies[0] += run(500, 500, true, variant, 1).energy;
+        energies[1] += run(500, 500, false, variant, 1).energy;
+    }
+    printf("  over %d courses    mean energy %.4g with the exact search, %.4g with the fast one\n", COURSES,
+           energies[0] / COURSES, energies[1] / COURSES);
     const double sizes[] = {125, 250, 500, 1000, 2000, 4000};
     double by_length[MOST_POINTS], by_example[MOST_POINTS];
     size_t steps = sizeof sizes / sizeof sizes[0];
     printf("samples   ms by length of the curve   ms by length of the example\n");
     for (size_t i = 0; i < steps; i++) {
-        by_length[i] = 1e3 * run((size_t)sizes[i], 500, false, 2).whole;
-        by_example[i] = 1e3 * run(500, (size_t)sizes[i], false, 2).whole;
+        by_length[i] = 1e3 * run((size_t)sizes[i], 500, false, 0, 2).whole;
+        by_example[i] = 1e3 * run(500, (size_t)sizes[i], false, 0, 2).whole;
         printf("%7g %10.1f %27.1f\n", sizes[i], by_length[i], by_example[i]);
     }
     if (count > 1) {
