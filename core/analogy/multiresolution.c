@@ -155,16 +155,43 @@ static duct_status refine(descent *self, const duct_example_set *set, size_t lev
     return status;
 }
 
+static double total_length(const duct_analogy *analogy, const duct_pyramid *pyramids, size_t level)
+{
+    double sum = 0;
+    for (size_t p = 0; p < analogy->pair_count; p++) {
+        sum += duct_curve_length(&pyramids[p].levels[level]);
+    }
+    return sum;
+}
+
+/* The spacing for a curve at a level. A curve that is much longer than the examples would make it has got
+ * entangled, as where A' lies far from A on the inside of a bend; without a limit it would grow at each
+ * level.
+ */
+static double spacing_for(const descent *self, const duct_curve *curve, size_t level, size_t start,
+                          double first)
+{
+    const duct_analogy *analogy = self->analogy;
+    const double generous = 2;
+    double likely = self->b != NULL ? duct_curve_length(&self->b->levels[level]) /
+                                          total_length(analogy, analogy->a, level)
+                                    : first / total_length(analogy, analogy->b, start);
+    double longest = generous * likely * total_length(analogy, analogy->b, level);
+    double spacing = duct_pyramid_spacing(analogy->options.spacing, level), length = duct_curve_length(curve);
+    return length > longest ? spacing * length / longest : spacing;
+}
+
 /* From the coarsest level, which self->curve holds, to the finest. */
 static duct_status descend(descent *self, size_t start, duct_error *error)
 {
     const duct_analogy *analogy = self->analogy;
     const duct_allocator *allocator = &analogy->allocator;
     duct_status status = DUCT_OK;
+    double first = duct_curve_length(&self->curve);
     for (size_t level = start; level-- > 0 && status == DUCT_OK;) {
         duct_curve coarse = self->curve;
         memset(&self->curve, 0, sizeof self->curve);
-        double spacing = duct_pyramid_spacing(analogy->options.spacing, level);
+        double spacing = spacing_for(self, &coarse, level, start, first);
         status = duct_curve_resample(allocator, &coarse, spacing, 2, &self->curve, error);
         if (status == DUCT_OK) {
             status = take_sources(self, self->curve.count, error);
