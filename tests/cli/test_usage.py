@@ -18,7 +18,7 @@ class HelpTest(ProgramTest):
         text = self.succeed("--help").decode()
         self.assertEqual(text, self.succeed("help").decode())
         for name in [o["id"] for o in operations()] + ["render", "convert", "show", "library", "brushes", "styles", "ops", "completion"]:
-            self.assertRegex(text, rf"(?m)^  {name} ")
+            self.assertRegex(text, rf"(?m)^  {name}( |$)")
 
     def test_every_command_has_help(self):
         for command in COMMANDS:
