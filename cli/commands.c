@@ -9,6 +9,7 @@ const cli_command cli_commands[] = {
     {"show", cli_show, "Draw diagrams of pose and of a trace's segments."},
     {"library", cli_library, "Make, measure and list stroke libraries (hands)."},
     {"brushes", cli_brushes, "List the brushes."},
+    {"styles", cli_styles, "List the styles of example curves."},
     {"ops", cli_operations, "List the operations and their parameters."},
     {"completion", cli_completion_script, "Print a shell's completion script."},
 };

@@ -12,6 +12,7 @@
 
 int cli_operations(int count, char **words); /* ops */
 int cli_brushes(int count, char **words);
+int cli_styles(int count, char **words);
 int cli_library(int count, char **words);
 int cli_render(int count, char **words);
 int cli_convert(int count, char **words);

@@ -53,19 +53,21 @@ void cli_print_quoted(const char *text, int size, const char *quote, const char 
 }
 
 /* One name a line, for the scripts; nothing where there are none. */
-static int print_hands(void)
+static int print_names(duct_param_type type)
 {
-    duct_hand *hands = NULL;
+    const duct_param param = {.type = type};
+    char **names = NULL;
     size_t count = 0;
     duct_error error = {DUCT_OK, ""};
-    duct_status status = duct_library_list(NULL, &hands, &count, &error);
+    duct_status status = duct_param_names(NULL, &param, &names, &count, &error);
     if (status != DUCT_OK) {
         return cli_fail_error(NULL, status, &error);
     }
     for (size_t i = 0; i < count; i++) {
-        puts(hands[i].name);
+        puts(names[i]);
+        duct_memory_free(NULL, names[i]);
     }
-    duct_hands_free(NULL, hands, count);
+    duct_memory_free(NULL, names);
     return CLI_DONE;
 }
 
@@ -93,7 +95,10 @@ static int print_script(const char *shell)
         void (*print)(const cli_pages *pages);
     } SHELLS[] = {{"bash", cli_complete_bash}, {"zsh", cli_complete_zsh}, {"fish", cli_complete_fish}};
     if (strcmp(shell, "hands") == 0) {
-        return print_hands();
+        return print_names(DUCT_PARAM_HAND);
+    }
+    if (strcmp(shell, "styles") == 0) {
+        return print_names(DUCT_PARAM_STYLE);
     }
     if (strcmp(shell, "brushes") == 0) {
         return print_brushes();
@@ -121,7 +126,7 @@ int cli_completion_script(int count, char **words)
         cli_help_usage("completion SHELL");
         cli_help_text(
             "Prints the script by which a shell (bash, zsh or fish) completes commands, options, choices "
-            "and the names of hands and brushes. An installation has them in their usual places; "
+            "and the names of hands, styles and brushes. An installation has them in their usual places; "
             "otherwise: source <(ductus completion bash).");
     } else if (result == CLI_DONE) {
         result = arguments.input_count == 1 ? print_script(arguments.inputs[0])

@@ -90,6 +90,9 @@ static void print_value(cli_value_kind kind, const char *words)
     case CLI_VALUE_BRUSHES:
         puts(") _ductus_names brushes ;;");
         break;
+    case CLI_VALUE_STYLES:
+        puts(") _ductus_names styles ;;");
+        break;
     }
 }
 

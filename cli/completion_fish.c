@@ -59,6 +59,9 @@ static void print_value(cli_value_kind kind, const char *words)
     case CLI_VALUE_BRUSHES:
         fputs(" -r -F -a '(__ductus_names brushes)'", stdout);
         break;
+    case CLI_VALUE_STYLES:
+        fputs(" -r -F -a '(__ductus_names styles)'", stdout);
+        break;
     }
 }
 

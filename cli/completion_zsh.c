@@ -36,6 +36,9 @@ static void print_action(cli_value_kind kind, const char *value, const char *wor
     case CLI_VALUE_BRUSHES:
         fputs("{_ductus_names brushes}", stdout);
         break;
+    case CLI_VALUE_STYLES:
+        fputs("{_ductus_names styles}", stdout);
+        break;
     default:
         putchar(' ');
         break;

@@ -157,6 +157,8 @@ static cli_value_kind value_of_param(const duct_param *param, char words[CLI_VAL
         return CLI_VALUE_WORDS;
     case DUCT_PARAM_HAND:
         return CLI_VALUE_HANDS;
+    case DUCT_PARAM_STYLE:
+        return CLI_VALUE_STYLES;
     default:
         return CLI_VALUE_FREE;
     }

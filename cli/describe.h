@@ -33,8 +33,9 @@ typedef enum cli_value_kind {
     CLI_VALUE_FREE, /* nothing can be offered */
     CLI_VALUE_WORDS,
     CLI_VALUE_FILES,
-    CLI_VALUE_HANDS,  /* names, and files */
-    CLI_VALUE_BRUSHES /* names, and files */
+    CLI_VALUE_HANDS,   /* names, and files */
+    CLI_VALUE_BRUSHES, /* names, and files */
+    CLI_VALUE_STYLES   /* names, and files */
 } cli_value_kind;
 
 enum { CLI_VALUE_ROOM = 1024 };

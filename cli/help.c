@@ -146,7 +146,7 @@ void cli_help_facts(const cli_option *option, char facts[LINE])
     }
     if (fallback != NULL && *fallback != '\0' && used < LINE) {
         snprintf(facts + used, LINE - used, "%sdefault %s", used > 0 ? ", " : "", fallback);
-    } else if (fallback != NULL && param != NULL && used < LINE) {
+    } else if (fallback != NULL && param != NULL && param->type != DUCT_PARAM_STROKES && used < LINE) {
         snprintf(facts + used, LINE - used, "%shas to be given", used > 0 ? ", " : "");
     }
 }

@@ -9,7 +9,7 @@
 
 #include <stdio.h>
 
-/* ops and brushes: what there is. */
+/* ops, brushes and styles: what there is. */
 
 static const cli_option JSON[] = {
     {.name = "json", .kind = CLI_FLAG, .group = "Options", .help = "Print it as JSON, for programs."},
@@ -80,6 +80,23 @@ int cli_operations(int count, char **words)
     return CLI_DONE;
 }
 
+/* Prints names, which it frees. */
+static void print_names(char **names, size_t count, bool json)
+{
+    fputs(json ? "[" : "", stdout);
+    for (size_t i = 0; i < count; i++) {
+        if (json) {
+            fputs(i > 0 ? ", " : "", stdout);
+            cli_json_string(names[i]);
+        } else {
+            puts(names[i]);
+        }
+        duct_memory_free(NULL, names[i]);
+    }
+    fputs(json ? "]\n" : "", stdout);
+    duct_memory_free(NULL, names);
+}
+
 int cli_brushes(int count, char **words)
 {
     bool json = false;
@@ -95,17 +112,26 @@ int cli_brushes(int count, char **words)
     if (status != DUCT_OK) {
         return cli_fail_error(NULL, status, &error);
     }
-    fputs(json ? "[" : "", stdout);
-    for (size_t i = 0; i < name_count; i++) {
-        if (json) {
-            fputs(i > 0 ? ", " : "", stdout);
-            cli_json_string(names[i]);
-        } else {
-            puts(names[i]);
-        }
-        duct_memory_free(NULL, names[i]);
+    print_names(names, name_count, json);
+    return CLI_DONE;
+}
+
+int cli_styles(int count, char **words)
+{
+    bool json = false;
+    int result;
+    if (!read_words("styles", "Lists the styles that operations with example curves take by name.", count,
+                    words, &json, &result)) {
+        return result;
     }
-    fputs(json ? "]\n" : "", stdout);
-    duct_memory_free(NULL, names);
+    const duct_param param = {.type = DUCT_PARAM_STYLE};
+    char **names = NULL;
+    size_t name_count = 0;
+    duct_error error = {DUCT_OK, ""};
+    duct_status status = duct_param_names(NULL, &param, &names, &name_count, &error);
+    if (status != DUCT_OK) {
+        return cli_fail_error(NULL, status, &error);
+    }
+    print_names(names, name_count, json);
     return CLI_DONE;
 }

@@ -43,6 +43,10 @@ static const char *value_name(const duct_param *param)
         return "CHOICE";
     case DUCT_PARAM_HAND:
         return "HAND";
+    case DUCT_PARAM_STYLE:
+        return "STYLE";
+    case DUCT_PARAM_STROKES:
+        return "STROKES";
     case DUCT_PARAM_BOOL:
         break;
     }

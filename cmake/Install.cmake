@@ -15,7 +15,7 @@ install(TARGETS ductus_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/core/include/ductus DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         FILES_MATCHING PATTERN "*.h")
 install(FILES ${CMAKE_BINARY_DIR}/include/ductus/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ductus)
-install(DIRECTORY ${DUCTUS_BUILD_DATA}/hands DESTINATION ${CMAKE_INSTALL_DATADIR}/ductus)
+install(DIRECTORY ${DUCTUS_BUILD_DATA}/hands ${DUCTUS_BUILD_DATA}/styles DESTINATION ${CMAKE_INSTALL_DATADIR}/ductus)
 install(FILES ${CMAKE_BINARY_DIR}/share/man/man1/ductus.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 foreach(script bash-completion/completions/ductus zsh/site-functions/_ductus fish/vendor_completions.d/ductus.fish)
   get_filename_component(folder ${script} DIRECTORY)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The hands that can be opened by name: those that ship with Ductus and those in the user's folder. */
-#include "library/library_private.h"
+/* What can be opened by name: the files of a kind that ship with Ductus and those in the user's folder. */
+#include "library/hands.h"
 
 #include "base/error.h"
 #include "base/file.h"
@@ -11,6 +11,7 @@
 
 typedef struct {
     const duct_allocator *allocator;
+    const char *endings; /* separated by spaces */
     duct_hand *items;
     size_t count, capacity;
 } hand_list;
@@ -29,7 +30,7 @@ static bool add_hand(hand_list *list, const char *folder, const char *file, bool
         duct_release(list->allocator, path);
         return false;
     }
-    name[strlen(name) - strlen(".inkml")] = '\0';
+    name[strlen(name) - strlen(duct_path_ending(name)) - 1] = '\0';
     for (size_t i = 0; i < list->count; i++) {
         if (strcmp(list->items[i].name, name) == 0) {
             duct_release(list->allocator, name);
@@ -41,6 +42,18 @@ static bool add_hand(hand_list *list, const char *folder, const char *file, bool
     return true;
 }
 
+static bool is_wanted(const char *endings, const char *file)
+{
+    const char *ending = duct_path_ending(file);
+    size_t size = strlen(ending);
+    for (const char *at = endings; size > 0 && file[0] != '.' && (at = strstr(at, ending)) != NULL; at++) {
+        if ((at == endings || at[-1] == ' ') && (at[size] == ' ' || at[size] == '\0')) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /* Takes over `folder`, which may be NULL or not there. */
 static bool add_folder(hand_list *list, char *folder, bool builtin)
 {
@@ -49,7 +62,7 @@ static bool add_folder(hand_list *list, char *folder, bool builtin)
     if (listing != NULL) {
         for (struct dirent *entry; good && (entry = readdir(listing)) != NULL;) {
             const char *file = entry->d_name;
-            if (file[0] != '.' && strcmp(duct_path_ending(file), "inkml") == 0) {
+            if (is_wanted(list->endings, file)) {
                 good = add_hand(list, folder, file, builtin);
             }
         }
@@ -59,14 +72,17 @@ static bool add_folder(hand_list *list, char *folder, bool builtin)
     return good;
 }
 
-static char *user_folder(const duct_allocator *allocator)
+static char *user_folder(const duct_allocator *allocator, const char *kind)
 {
-    const char *data = getenv("XDG_DATA_HOME");
-    if (data != NULL && *data == '/') {
-        return duct_path_join(allocator, data, "ductus/hands");
+    const char *data = getenv("XDG_DATA_HOME"), *home = getenv("HOME");
+    bool given = data != NULL && *data == '/';
+    if (!given && home == NULL) {
+        return NULL;
     }
-    const char *home = getenv("HOME");
-    return home != NULL ? duct_path_join(allocator, home, ".local/share/ductus/hands") : NULL;
+    char *own = duct_path_join(allocator, given ? "ductus" : ".local/share/ductus", kind);
+    char *folder = own != NULL ? duct_path_join(allocator, given ? data : home, own) : NULL;
+    duct_release(allocator, own);
+    return folder;
 }
 
 static int by_name(const void *a, const void *b)
@@ -74,13 +90,13 @@ static int by_name(const void *a, const void *b)
     return strcmp(((const duct_hand *)a)->name, ((const duct_hand *)b)->name);
 }
 
-duct_status duct_library_list(const duct_context *context, duct_hand **hands, size_t *count,
-                              duct_error *error)
+duct_status duct_named_list(const duct_context *context, const char *kind, const char *endings,
+                            duct_hand **items, size_t *count, duct_error *error)
 {
-    hand_list list = {duct_allocator_of(context), NULL, 0, 0};
-    bool good = add_folder(&list, user_folder(list.allocator), false);
+    hand_list list = {duct_allocator_of(context), endings, NULL, 0, 0};
+    bool good = add_folder(&list, user_folder(list.allocator, kind), false);
     char *data = duct_data_folder(context);
-    good = good && data != NULL && add_folder(&list, duct_path_join(list.allocator, data, "hands"), true);
+    good = good && data != NULL && add_folder(&list, duct_path_join(list.allocator, data, kind), true);
     duct_release(list.allocator, data);
     if (!good) {
         duct_hands_free(context, list.items, list.count);
@@ -89,9 +105,15 @@ duct_status duct_library_list(const duct_context *context, duct_hand **hands, si
     if (list.count > 0) {
         qsort(list.items, list.count, sizeof *list.items, by_name);
     }
-    *hands = list.items;
+    *items = list.items;
     *count = list.count;
     return DUCT_OK;
+}
+
+duct_status duct_library_list(const duct_context *context, duct_hand **hands, size_t *count,
+                              duct_error *error)
+{
+    return duct_named_list(context, "hands", "inkml", hands, count, error);
 }
 
 void duct_hands_free(const duct_context *context, duct_hand *hands, size_t count)

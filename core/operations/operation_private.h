@@ -15,6 +15,8 @@ typedef struct duct_operation_impl {
 } duct_operation_impl;
 
 extern const duct_operation_impl duct_operation_restyle;
+extern const duct_operation_impl duct_operation_analogy;
+extern const duct_operation_impl duct_operation_synthesize_curve;
 
 /* Typed access for the operations themselves. The parameter must be in the table and of that type. */
 bool duct_settings_bool(const duct_settings *settings, const char *param);

@@ -11,6 +11,8 @@
 
 static const duct_operation_impl *const operations[] = {
     &duct_operation_restyle,
+    &duct_operation_analogy,
+    &duct_operation_synthesize_curve,
 };
 
 enum { OPERATION_COUNT = sizeof operations / sizeof operations[0] };
@@ -65,6 +67,10 @@ const char *duct_param_type_name(duct_param_type type)
         return "seed";
     case DUCT_PARAM_HAND:
         return "hand";
+    case DUCT_PARAM_STYLE:
+        return "style";
+    case DUCT_PARAM_STROKES:
+        return "strokes";
     }
     return "unknown";
 }

@@ -117,7 +117,10 @@ static duct_status parse(const duct_param *param, const char *text, value *parse
         return parse_seed(param, text, parsed, error);
     case DUCT_PARAM_CHOICE:
         return parse_choice(param, text, parsed, error);
+    case DUCT_PARAM_STYLE:
+        return *text != '\0' ? DUCT_OK : fail_value(error, param, text, "the name of a style, or a file");
     case DUCT_PARAM_HAND:
+    case DUCT_PARAM_STROKES:
         return DUCT_OK;
     }
     return duct_fail(error, DUCT_BAD_ARGUMENT, "%s: has a type that this version does not know", param->id);
@@ -148,6 +151,8 @@ static char *canonical(const duct_allocator *allocator, const duct_param *param,
         break;
     case DUCT_PARAM_CHOICE:
     case DUCT_PARAM_HAND:
+    case DUCT_PARAM_STYLE:
+    case DUCT_PARAM_STROKES:
         duct_text_add(&out, text);
         break;
     }
@@ -269,7 +274,7 @@ duct_status duct_settings_preset(duct_settings *settings, const char *preset, du
         for (size_t v = 0; v < chosen->value_count; v++) {
             text = strcmp(chosen->values[v].param, param->id) == 0 ? chosen->values[v].value : text;
         }
-        bool stays = param->type == DUCT_PARAM_HAND;
+        bool stays = param->type == DUCT_PARAM_HAND || param->type == DUCT_PARAM_STROKES;
         status = store(&fresh, i, stays ? settings->values[i].text : text, error);
         if (stays) {
             fresh.values[i].library = settings->values[i].library;

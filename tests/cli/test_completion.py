@@ -9,7 +9,7 @@ import unittest
 
 from program import ENVIRONMENT, PROGRAM, ProgramTest, operations
 
-COMMANDS = ["render", "convert", "show", "library", "brushes", "ops", "completion"]
+COMMANDS = ["render", "convert", "show", "library", "brushes", "styles", "ops", "completion"]
 
 
 class ManualTest(ProgramTest):
@@ -116,6 +116,11 @@ class CompletionTest(ProgramTest):
                 if parameter["type"] == "hand":
                     offered = self.bash(operation["id"], f"--{parameter['id']}", "")
                     self.assertLessEqual(set(self.hands()), set(offered))
+                if parameter["type"] == "style":
+                    offered = self.bash(operation["id"], f"--{parameter['id']}", "")
+                    styles = self.succeed("styles").decode().split()
+                    self.assertGreaterEqual(len(styles), 10)
+                    self.assertLessEqual(set(styles), set(offered))
         self.assertEqual(self.bash("show", "dr"), ["drawing.svg"])
         self.assertEqual(self.bash("show", "--", "dr"), ["drawing.svg"])
         self.assertEqual(self.bash("render", "-o", "dr"), ["drawing.svg"])

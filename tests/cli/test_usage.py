@@ -7,7 +7,7 @@ import unittest
 
 from program import SOURCE, ProgramTest, operations, svg
 
-COMMANDS = ["render", "convert", "show", "brushes", "ops", "completion", "library", "library build", "library report", "library list"]
+COMMANDS = ["render", "convert", "show", "brushes", "styles", "ops", "completion", "library", "library build", "library report", "library list"]
 
 
 class HelpTest(ProgramTest):
@@ -17,8 +17,8 @@ class HelpTest(ProgramTest):
     def test_help_lists_operations_and_commands(self):
         text = self.succeed("--help").decode()
         self.assertEqual(text, self.succeed("help").decode())
-        for name in [o["id"] for o in operations()] + ["render", "convert", "show", "library", "brushes", "ops", "completion"]:
-            self.assertRegex(text, rf"(?m)^  {name} ")
+        for name in [o["id"] for o in operations()] + ["render", "convert", "show", "library", "brushes", "styles", "ops", "completion"]:
+            self.assertRegex(text, rf"(?m)^  {name}( |$)")
 
     def test_every_command_has_help(self):
         for command in COMMANDS:
@@ -156,6 +156,8 @@ class ParameterTest(ProgramTest):
                     "auto-or-real": ["x", "nan"],
                     "seed": ["-1", "x", "1.5"],
                     "hand": [],
+                    "style": [""],
+                    "strokes": [],
                 }[parameter["type"]]
                 if "range" in parameter:
                     low, high = parameter["range"]

@@ -22,7 +22,11 @@ typedef enum duct_param_type {
     DUCT_PARAM_CHOICE, /* the id of one of the choices */
     DUCT_PARAM_AUTO,   /* "auto", or a real number as above */
     DUCT_PARAM_SEED,   /* a whole number in 0..2^63-1 */
-    DUCT_PARAM_HAND    /* the name of a hand, or the path of a library or recording */
+    DUCT_PARAM_HAND,   /* the name of a hand, or the path of a library or recording */
+    DUCT_PARAM_STYLE,  /* the name of a style, or the path of a drawing with example curves; or several, each
+                          for some strokes: "STROKES=STYLE; STROKES=STYLE" */
+    DUCT_PARAM_STROKES /* strokes of the drawing, for a host those selected: their ids, group names, colours
+                          ("#rrggbb") or numbers ("@1" is the first one), separated by commas; "": none */
 } duct_param_type;
 
 typedef struct duct_choice {
@@ -40,7 +44,8 @@ typedef struct duct_param {
     const char *unit;           /* "pixels", "samples", ...; "" for a plain number */
     double minimum, maximum;    /* both included; for numbers only */
     double step;                /* what one press of a spin button changes; for numbers only */
-    const char *fallback;       /* the default, written as a user would; "" for a hand: has to be given */
+    const char *fallback;       /* the default, written as a user would; "" for a hand: has to be given;
+                                   for strokes: none */
     const duct_choice *choices; /* `choice_count` of them; NULL where there are none */
     size_t choice_count;
     const char *group; /* the heading under which dialogs put it */
@@ -80,6 +85,12 @@ DUCT_API duct_status duct_operation_find(const char *id, const duct_operation **
 /* The tables of all operations as JSON, as `ductus ops --json` prints them. Free with duct_memory_free(). */
 DUCT_API duct_status duct_operations_json(const duct_context *context, char **text, duct_error *error);
 
+/* The names that a parameter's value can be chosen from, where they are not in the table: hands for
+ * DUCT_PARAM_HAND, styles for DUCT_PARAM_STYLE, by name; none for other types. A path is good as well. Free each
+ * and the list with duct_memory_free(). Errors: DUCT_NO_MEMORY. */
+DUCT_API duct_status duct_param_names(const duct_context *context, const duct_param *param, char ***names,
+                                      size_t *count, duct_error *error);
+
 /* Values for one operation's parameters, checked against its table. */
 typedef struct duct_settings duct_settings;
 
@@ -99,7 +110,7 @@ DUCT_API duct_status duct_settings_set(duct_settings *settings, const char *para
                                        duct_error *error);
 
 /* Sets every parameter to the preset's value, or to its default where the preset has none, except parameters
- * of type DUCT_PARAM_HAND, which stay. Errors: DUCT_BAD_SETTING. */
+ * of types DUCT_PARAM_HAND and DUCT_PARAM_STROKES, which stay. Errors: DUCT_BAD_SETTING. */
 DUCT_API duct_status duct_settings_preset(duct_settings *settings, const char *preset, duct_error *error);
 
 /* The value as text in its canonical form, or NULL where there is no such parameter. Owned by the settings;
