@@ -33,10 +33,10 @@ static const duct_param params[] = {
      "The style of the new lines: a built-in one, or a file with example curves A and A' in layers of these "
      "names.",
      DUCT_PARAM_STYLE, "", 0, 0, 0, "waves", NULL, 0, "Style", false},
-    {"from", "Plain example",
+    {"example-from", "Plain example",
      "Instead of a style: the plain curves A of the examples, strokes of this drawing.", DUCT_PARAM_STROKES,
      "", 0, 0, 0, "", NULL, 0, "Style", false},
-    {"to", "Stylised example",
+    {"example-to", "Stylised example",
      "The stylised curves A' of the examples, in the same order. A and A' stay as they are.",
      DUCT_PARAM_STROKES, "", 0, 0, 0, "", NULL, 0, "Style", false},
     {"amount", "Amount", "0 leaves the drawing as it is, 1 is the full effect.", DUCT_PARAM_REAL, "", 0, 1,
@@ -144,7 +144,8 @@ static duct_status style_of_strokes(work *self, const duct_stroke_list *from, co
     const duct_allocator *allocator = duct_allocator_of(self->context);
     if (from->count != to->count || to->count == 0) {
         return duct_fail(error, DUCT_BAD_SETTING,
-                         "from, to: %zu plain and %zu stylised example curves; give as many of both, in the "
+                         "example-from, example-to: %zu plain and %zu stylised example curves; give as many "
+                         "of both, in the "
                          "same order",
                          from->count, to->count);
     }
@@ -492,7 +493,7 @@ static duct_status run_analogy(const duct_context *context, const duct_settings 
                  .scale = duct_settings_number(settings, "scale"),
                  .amount = duct_settings_number(settings, "amount"),
                  .fit = duct_settings_number(settings, "fit")};
-    static const char *const names[] = {"from", "to", "pins"};
+    static const char *const names[] = {"example-from", "example-to", "pins"};
     duct_stroke_list lists[3] = {{NULL, 0}, {NULL, 0}, {NULL, 0}};
     duct_drawing *made = NULL;
     self.pieces.allocator = allocator;

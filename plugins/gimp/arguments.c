@@ -20,6 +20,8 @@ static GimpPDBArgType type_of(const duct_param *param)
     case DUCT_PARAM_AUTO:
     case DUCT_PARAM_SEED:
     case DUCT_PARAM_HAND:
+    case DUCT_PARAM_STYLE:
+    case DUCT_PARAM_STROKES:
         break;
     }
     return GIMP_PDB_STRING;
@@ -59,7 +61,11 @@ static char *describe(const duct_param *param)
         }
         break;
     case DUCT_PARAM_HAND:
+    case DUCT_PARAM_STYLE:
         g_string_append(text, "a name, or a file's path");
+        break;
+    case DUCT_PARAM_STROKES:
+        g_string_append(text, "strokes, separated by commas");
         break;
     }
     if (*param->fallback != '\0') {

@@ -183,6 +183,11 @@ static GtkWidget *make(struct control *control)
                                                                 : plug_hand_chooser_new(chosen, control);
         control->widget = plug_chooser_widget(control->chooser);
         return control->widget;
+    case DUCT_PARAM_STYLE:
+    case DUCT_PARAM_STROKES:
+        control->widget = gtk_entry_new();
+        g_signal_connect(control->widget, "changed", G_CALLBACK(text_changed), control);
+        return control->widget;
     }
     return gtk_label_new("");
 }
@@ -343,6 +348,8 @@ static void show(struct control *control)
         }
         break;
     case DUCT_PARAM_SEED:
+    case DUCT_PARAM_STYLE:
+    case DUCT_PARAM_STROKES:
         gtk_entry_set_text(GTK_ENTRY(control->widget), text);
         break;
     case DUCT_PARAM_HAND:

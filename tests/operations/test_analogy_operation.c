@@ -77,7 +77,7 @@ static void examples_stay_and_corners_meet(void **state)
     (void)state;
     duct_error error;
     duct_drawing *scene = make_scene(), *made;
-    assert_ok(RUN(scene, &made, "from", "plain", "to", "wave", "pins", "marks"));
+    assert_ok(RUN(scene, &made, "example-from", "plain", "example-to", "wave", "pins", "marks"));
     assert_int_equal(duct_drawing_stroke_count(made), 6);
     same_stroke(duct_drawing_stroke(scene, 0), duct_drawing_stroke(made, 0));
     same_stroke(duct_drawing_stroke(scene, 1), duct_drawing_stroke(made, 1));
@@ -184,9 +184,9 @@ static void bad_input_ends_in_one_sentence(void **state)
         {"style", "no-such-style", "seed", "0", "no-such-style", DUCT_NOT_FOUND},
         {"style", "nowhere=waves", "seed", "0", "nowhere", DUCT_BAD_SETTING},
         {"style", "work=", "seed", "0", "style", DUCT_NOT_FOUND},
-        {"from", "plain", "to", "", "as many of both", DUCT_BAD_SETTING},
-        {"from", "plain", "to", "dot", "no length", DUCT_UNSUPPORTED},
-        {"from", "@99", "to", "wave", "@99", DUCT_BAD_SETTING},
+        {"example-from", "plain", "example-to", "", "as many of both", DUCT_BAD_SETTING},
+        {"example-from", "plain", "example-to", "dot", "no length", DUCT_UNSUPPORTED},
+        {"example-from", "@99", "example-to", "wave", "@99", DUCT_BAD_SETTING},
         {"pins", "#123456", "seed", "0", "#123456", DUCT_BAD_SETTING},
     };
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
@@ -213,10 +213,10 @@ static void the_nth_allocation_failing_is_survived(void **state)
         duct_drawing *made = NULL;
         context.allocator = &failing.allocator;
         context.threads = 1;
-        duct_status status =
-            run("analogy", &context, scene,
-                (const char *const[]){"from", "plain", "to", "wave", "pins", "dot", "spacing", "4", NULL},
-                &made, &error);
+        duct_status status = run("analogy", &context, scene,
+                                 (const char *const[]){"example-from", "plain", "example-to", "wave", "pins",
+                                                       "dot", "spacing", "4", NULL},
+                                 &made, &error);
         if (n == 0) {
             assert_int_equal(status, DUCT_OK);
             calls = failing.calls;
