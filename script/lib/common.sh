@@ -21,6 +21,10 @@ host_packages=(
   xvfb xauth xdotool x11-utils imagemagick openbox
 )
 
+# What bench/helpinghand/run needs beside the build.
+# shellcheck disable=SC2034
+bench_packages=(python3-numpy python3-sklearn)
+
 say() { printf '==> %s\n' "$*"; }
 
 die() {
