@@ -30,8 +30,8 @@ LINE = (
               "real", 1, 20, 1.5, ()),
     LineParam("tolerance", "Tolerance (px)", "How far the fitted curves may lie from the hand's line: more gives fewer "
               "nodes.", "real", 0.001, 100, 0.2, ()),
-    LineParam("report", "Report the number of nodes", "Says in a message how many nodes there were and are, and what text was left alone.", "bool", 0, 0,
-              False, ()),
+    LineParam("report", "Report the number of nodes", "Says in a message how many nodes there were and are, and what "
+              "text was left alone.", "bool", 0, 0, False, ()),
 )
 
 LINE_IDS = tuple(param.id for param in LINE)

@@ -71,6 +71,20 @@ class Widths(Case):
             self.assertEqual(element.get("style"), style)
             self.assertNotEqual(element.get("d"), LINE)
 
+    def test_a_path_that_text_runs_along_stays_a_line(self):
+        text = '<text><textPath xlink:href="#s">word</textPath></text>'
+        element = find(self.apply(document(f'<path id="s" d="{LINE}" {STROKE}/>{text}')), "s")
+        self.assertNotEqual(element.get("d"), LINE)
+        self.assertIn("stroke:#102030", element.get("style"))
+
+    def test_strokes_that_do_not_scale_keep_the_width_they_show(self):
+        line = '<g transform="scale(10)"><path id="s" d="M 1,5 H 12" style="fill:none;stroke:#000;stroke-width:2{}"/></g>'
+        heights = []
+        for more in ("", ";vector-effect:non-scaling-stroke"):
+            x0, y0, x1, y1 = box(find(self.apply(document(line.format(more)), p_mode="pose"), "s").get("d"))
+            heights.append(y1 - y0)
+        self.assertGreater(heights[0], 5 * heights[1])
+
     def test_filled_and_stroked_shapes_keep_the_fill_beneath_the_line(self):
         for kind in ("outline", "powerstroke", "segments"):
             body = '<circle id="s" cx="60" cy="50" r="30" style="fill:#ffee00;stroke:#000;stroke-width:2"/>'
