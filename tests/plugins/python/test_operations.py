@@ -27,7 +27,7 @@ class Tables(unittest.TestCase):
             made = ductus.Settings(operation.id)
             for param in operation.params:
                 self.assertTrue(param.id and param.label and param.tooltip and param.group)
-                self.assertIn(param.type, ("bool", "int", "real", "choice", "auto", "seed", "hand"))
+                self.assertIn(param.type, ("bool", "int", "real", "choice", "auto", "seed", "hand", "style", "strokes"))
                 if param.default:
                     made[param.id] = param.default
                     self.assertEqual(made[param.id], param.default, param.id)
