@@ -29,8 +29,9 @@ typedef struct {
     duct_text group, names;
 } walker;
 
-static const char *const kind_names[DUCT_SVG_OTHER] = {
-    "g", "svg", "a", "switch", "path", "rect", "circle", "ellipse", "line", "polyline", "polygon", "text", "image"};
+static const char *const kind_names[DUCT_SVG_OTHER] = {"g",       "svg",    "a",       "switch", "path",
+                                                       "rect",    "circle", "ellipse", "line",   "polyline",
+                                                       "polygon", "text",   "image"};
 
 static duct_svg_kind kind_of(const xmlNode *node)
 {

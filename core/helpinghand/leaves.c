@@ -134,9 +134,9 @@ WIDE_PART bool any(const masks *bits)
     return (((*bits)[0] | (*bits)[1]) | ((*bits)[2] | (*bits)[3])) != 0;
 }
 
-WIDE size_t duct_leaves_best(const duct_leaves *leaves, const duct_jump_space *space,
-                             const duct_sequence_costs *costs, const duct_candidate *before,
-                             const duct_candidate *here, double *best)
+WIDE static size_t leaves_best(const duct_leaves *leaves, const duct_jump_space *space,
+                               const duct_sequence_costs *costs, const duct_candidate *before,
+                               const duct_candidate *here, double *best)
 {
     /* Beyond rounding. */
     const double slack = 1e-9, factor = costs->distance * costs->distance;
@@ -177,4 +177,11 @@ WIDE size_t duct_leaves_best(const duct_leaves *leaves, const duct_jump_space *s
         *best = least;
     }
     return chosen;
+}
+
+size_t duct_leaves_best(const duct_leaves *leaves, const duct_jump_space *space,
+                        const duct_sequence_costs *costs, const duct_candidate *before,
+                        const duct_candidate *here, double *best)
+{
+    return leaves_best(leaves, space, costs, before, here, best);
 }

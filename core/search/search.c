@@ -43,8 +43,8 @@ float duct_feature_distance(const float *query, const float *row, size_t dimensi
     return sqrtf(duct_feature_square(query, row, dimensions));
 }
 
-WIDE void duct_feature_distances(const float *query, const float *rows, size_t dimensions,
-                                 const uint32_t *which, size_t count, float *distances)
+WIDE static void feature_distances(const float *query, const float *rows, size_t dimensions,
+                                   const uint32_t *which, size_t count, float *distances)
 {
     for (size_t first = 0; first < count; first += DUCT_ABREAST) {
         const float *places[DUCT_ABREAST];
@@ -57,6 +57,12 @@ WIDE void duct_feature_distances(const float *query, const float *rows, size_t d
             distances[first + i] = sqrtf(squares[i]);
         }
     }
+}
+
+void duct_feature_distances(const float *query, const float *rows, size_t dimensions, const uint32_t *which,
+                            size_t count, float *distances)
+{
+    feature_distances(query, rows, dimensions, which, count, distances);
 }
 
 duct_status duct_search_sequence(const duct_search *search, const duct_allocator *allocator,

@@ -232,7 +232,9 @@ static void a_heavier_recording_is_nearer_in_matching(void **state)
     const duct_library_options options = {.weights = weights};
     duct_library *library;
     assert_ok(duct_library_build(NULL, list, 2, &options, &library, &error));
-    duct_candidate_options wanted = {.features = duct_feature_options_default(), .neighbours = 60};
+    /* All of them: among the nearest few there are only samples of the heavy one. */
+    duct_candidate_options wanted = {.features = duct_feature_options_default(),
+                                     .neighbours = library->sample_count};
     duct_feature_index index;
     assert_ok(duct_library_features(library, &wanted.features, DUCT_SEARCH_EXACT, &index, &error));
     double x[50], y[50];
@@ -245,7 +247,7 @@ static void a_heavier_recording_is_nearer_in_matching(void **state)
         duct_candidates_find(duct_allocator_of(NULL), library, &index, &wanted, x, y, 50, &columns, &error));
     size_t compared = 0, own = library->sample_count / 2;
     for (size_t c = 0; c < columns.count; c++) {
-        for (size_t a = columns.starts[c]; a < columns.starts[c + 1]; a++) {
+        for (size_t a = columns.starts[c]; a < columns.starts[c] + 20; a++) {
             for (size_t b = columns.starts[c]; b < columns.starts[c + 1]; b++) {
                 if (columns.items[b].sample == columns.items[a].sample + own) {
                     /* The same sample of the same recording, once with weight 1, once with 4. */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Included before sources that are compiled once more without wide vectors: other names for what they define. */
+/* Included before sources that are compiled once more without wide vectors: other names for what they define.
+ */
 #define duct_search_new narrow_search_new
 #define duct_search_free narrow_search_free
 #define duct_search_nearest narrow_search_nearest

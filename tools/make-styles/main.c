@@ -88,7 +88,7 @@ static duct_status write_thumbnail(const char *folder, const style *drawn, const
             curve.x[shown++] += shift - (shift > 0 ? 20 : 0);
         }
         curve.count = shown;
-        char id[16];
+        char id[32];
         snprintf(id, sizeof id, "s%zu", pass);
         status = add_curve(drawing, &curve, id, "", pair->plain.closed ? 140 : 45, drawn->pressure, error);
     }

@@ -86,8 +86,8 @@ DUCT_API duct_status duct_operation_find(const char *id, const duct_operation **
 DUCT_API duct_status duct_operations_json(const duct_context *context, char **text, duct_error *error);
 
 /* The names that a parameter's value can be chosen from, where they are not in the table: hands for
- * DUCT_PARAM_HAND, styles for DUCT_PARAM_STYLE, by name; none for other types. A path is good as well. Free each
- * and the list with duct_memory_free(). Errors: DUCT_NO_MEMORY. */
+ * DUCT_PARAM_HAND, styles for DUCT_PARAM_STYLE, by name; none for other types. A path is good as well. Free
+ * each and the list with duct_memory_free(). Errors: DUCT_NO_MEMORY. */
 DUCT_API duct_status duct_param_names(const duct_context *context, const duct_param *param, char ***names,
                                       size_t *count, duct_error *error);
 

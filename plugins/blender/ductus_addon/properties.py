@@ -91,7 +91,9 @@ def annotations(params):
                 name=param.label, description=_tooltip(param), default=names[0] if names else "",
                 search=_hand_names, search_options={"SUGGESTION"})
         else:
-            raise TypeError(f"parameter '{param.id}' is of the unknown type '{param.type}'")
+            # A style, a list of strokes, or what a later version brings: text that the core checks.
+            made[name] = bpy.props.StringProperty(name=param.label, description=_tooltip(param),
+                                                  default=param.default)
     return made
 
 
@@ -108,8 +110,8 @@ def value(group, param):
     if isinstance(found, float):
         # A property holds the nearest float of 32 bits; its user wrote the shortest number that stands for it.
         return float(f"{found:.7g}")
-    if param.type == "hand":
-        return bpy.path.abspath(found) if found.startswith("//") else found
+    if isinstance(found, str) and found.startswith("//"):
+        return bpy.path.abspath(found)
     return found
 
 

@@ -67,7 +67,7 @@ class EveryOperation(GimpCase):
                 target = "path" if suffix == "-path" else "(active image)"
                 self.gimp.run("(define answer (%s RUN-NONINTERACTIVE image %s %s))" % (name, target, " ".join(words)))
                 self.assertGreater(self.painted(int(self.gimp.number("(car answer)"))), 500, name)
-                self.assertEqual(self.gimp.number("(cadr answer)"), 1)
+                self.assertGreaterEqual(self.gimp.number("(cadr answer)"), 1)
 
 
 class Results(GimpCase):
